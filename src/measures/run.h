@@ -1,0 +1,29 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "measures/measures.h"
+#include "scene/scene.h"
+
+namespace runout {
+
+/// How far a run has come, for a progress bar.
+struct Progress {
+    double time_s = 0;          ///< simulated
+    double time_limit_s = 0;
+    double fraction = 0;        ///< of the expected run, 0 to 1, from the energy still to be lost
+    long steps = 0;
+    double wall_s = 0;
+};
+
+/// Links of a run to whoever started it. Both may be empty.
+struct RunControl {
+    std::function<void(const Progress&)> on_progress;  ///< called about ten times a second
+    const std::atomic<bool>* interrupt = nullptr;      ///< set to true to end the run as `interrupted`
+};
+
+/// Simulates the scene to its end and reads off the measures. Never throws for what the physics does: the status says it.
+RunResult run_scene(const Scene& scene, const RunControl& control = {});
+
+}  // namespace runout

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+
+#include "profile/profile.h"
+#include "source/source.h"
+
+namespace runout {
+
+/// Coulomb soil at critical state.
+struct Material {
+    double density = 2000;       ///< bulk, kg/m3
+    double friction_angle = 0;   ///< phi_crit, rad
+};
+
+/// How the deviatoric stress follows from the strain rate.
+enum class FrictionScheme {
+    projected,   ///< yield condition as a constraint, solved by projected iteration: stops
+    explicit_,   ///< eq. 8 from the current strain rate, the paper as printed: creeps
+};
+
+/// Numbers of the simulation that are not the ground, the mass or the soil.
+struct RunSettings {
+    double particle_spacing = 0;     ///< dl, m; 0: from `resolution`
+    double resolution = 40;          ///< sqrt(S)/dl when no spacing is given
+    double gravity = 9.81;           ///< m/s2
+    double courant = 0.1;            ///< C_max of eq. 6
+    double smoothing_ratio = 1.3;    ///< h/dl
+    FrictionScheme friction = FrictionScheme::projected;
+    int friction_iterations = 5;
+    double pressure_tolerance = 1e-2;  ///< relative residual of the pressure equation
+    double time_limit = 0;           ///< s of simulated time; 0: 60 sqrt(H/g)
+    double front_thickness = 0;      ///< m, threshold of the contiguous front; 0: 3 % of sqrt(S)
+    int threads = 0;                 ///< 0: all cores
+};
+
+/// The question, whole and valid: what stands, what moves, of what, and how to simulate it.
+struct Scene {
+    std::string name;
+    Profile profile;
+    Source source;
+    Material material;
+    RunSettings run;
+};
+
+}  // namespace runout

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "core/geometry.h"
+#include "core/units.h"
+#include "profile/profile.h"
+
+namespace runout {
+
+/// Shapes of the moving mass, as in the paper's Figs 9 and 13.
+enum class SourceType { rectangle, a, b, c, polygon, slip_surface };
+
+/// Which point of a rectangle or polygon the drop height is measured to.
+enum class DropDatum { head, base };
+
+/// What the user says about the source. NaN = not given. SI and radians.
+struct SourceSpec {
+    static constexpr double unset = std::numeric_limits<double>::quiet_NaN();
+    SourceType type = SourceType::b;
+    double base_angle = unset;   ///< alpha_sr, dip of the basal slip surface (A, B, C)
+    double scarp_angle = unset;  ///< alpha_back, inclination of the back scarp (B, C)
+    double area = unset;         ///< m2
+    double height = unset;       ///< B: P to apex; C: P to crest; m, vertical
+    double length = unset;       ///< rectangle, A: L0 along the base, m
+    double thickness = unset;    ///< rectangle, A: H0 normal to the base, m
+    double aspect = unset;       ///< rectangle, A: L0/H0
+    double drop_height = unset;  ///< H_d above the toe, m, to the point named by `datum`
+    DropDatum datum = DropDatum::head;
+    double discontinuity_angle = radians(55.0);  ///< theta_id
+    std::vector<Vec2> points;    ///< polygon corners, or slip line uphill to downhill; (chainage, elevation)
+};
+
+/// The moving mass and the bed it leaves, local frame of the profile.
+struct Source {
+    SourceType type = SourceType::b;
+    Polygon outline;
+    Polyline bed;          ///< ground left when the source has gone: uphill end to distal end, x never decreases
+    double area = 0;       ///< S_0, exact polygon area rounded once, m2
+    double front_area = 0; ///< S_front, part above the line through `exit_point` at the discontinuity angle, m2
+    double discontinuity_angle = 0;
+    Vec2 exit_point{0, 0}; ///< P, where the slip surface or base daylights on the face
+    Vec2 head{0, 0};       ///< upper end of the source on the ground: datum of reach angle and of H_d
+    double drop_height = 0;///< H_d above the toe to the datum, m
+    DropDatum datum = DropDatum::head;
+};
+
+/// Derives outline, areas and remaining bed with CGAL's exact kernel (method: docs/source-shapes.md).
+/// Throws InputError when the data exclude each other, are missing, or the shape leaves the hillside.
+Source derive_source(const Profile& profile, const SourceSpec& spec);
+
+/// "rectangle", "A", "B", "C", "polygon", "slip_surface".
+std::string to_string(SourceType type);
+std::string to_string(DropDatum datum);
+}  // namespace runout
