@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace runout {
+
+/// Square cells over a window of the plane. Cells of one column are contiguous, so that three neighbouring cells of
+/// a column are one range of particles.
+struct CellGrid {
+    double size = 1;        ///< edge of a cell, m
+    long column0 = 0;       ///< first column and row of the window, in cells from the origin of the plane
+    long row0 = 0;
+    int columns = 0;
+    int rows = 0;
+    std::vector<int> start; ///< particles of cell c: [start[c], start[c+1])
+
+    [[nodiscard]] long column(double x) const { return static_cast<long>(std::floor(x / size)); }
+    [[nodiscard]] long row(double y) const { return static_cast<long>(std::floor(y / size)); }
+
+    /// Sets the window to cover the given points, empty.
+    void cover(const std::vector<double>& x, const std::vector<double>& y, std::size_t count) {
+        columns = rows = 0;
+        start.assign(1, 0);
+        if (count == 0) return;
+        const auto [x_low, x_high] = std::minmax_element(x.begin(), x.begin() + static_cast<long>(count));
+        const auto [y_low, y_high] = std::minmax_element(y.begin(), y.begin() + static_cast<long>(count));
+        column0 = column(*x_low);
+        row0 = row(*y_low);
+        columns = static_cast<int>(column(*x_high) - column0) + 1;
+        rows = static_cast<int>(row(*y_high) - row0) + 1;
+        start.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) + 1, 0);
+    }
+
+    /// Index of the cell of a point inside the window.
+    [[nodiscard]] std::size_t cell(double x, double y) const {
+        return static_cast<std::size_t>(column(x) - column0) * static_cast<std::size_t>(rows) +
+               static_cast<std::size_t>(row(y) - row0);
+    }
+
+    /// Stable counting sort: fills `start`, and `order` with particle indices cell by cell.
+    void sort(const std::vector<double>& x, const std::vector<double>& y, std::size_t count,
+              std::vector<int>& order) {
+        cover(x, y, count);
+        order.resize(count);
+        for (std::size_t i = 0; i < count; ++i) ++start[cell(x[i], y[i]) + 1];
+        for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
+        for (std::size_t i = count; i-- > 0;) {  // backwards, then `start` is shifted into place below
+            order[static_cast<std::size_t>(--start[cell(x[i], y[i]) + 1])] = static_cast<int>(i);
+        }
+        // start[c+1] now holds the first particle of cell c; move it down by one.
+        for (std::size_t c = 0; c + 1 < start.size(); ++c) start[c] = start[c + 1];
+        if (!start.empty()) start.back() = static_cast<int>(count);
+    }
+
+    /// Calls f(first, last) for the up to three particle ranges that hold all neighbours of a point.
+    template <class Function>
+    void around(double x, double y, const Function& f) const {
+        const long cx = column(x) - column0;
+        const long cy = row(y) - row0;
+        const long low = std::max(cy - 1, 0L);
+        const long high = std::min(cy + 1, static_cast<long>(rows) - 1);
+        if (low > high) return;
+        for (long c = std::max(cx - 1, 0L); c <= std::min(cx + 1, static_cast<long>(columns) - 1); ++c) {
+            const std::size_t base = static_cast<std::size_t>(c) * static_cast<std::size_t>(rows);
+            const int first = start[base + static_cast<std::size_t>(low)];
+            const int last = start[base + static_cast<std::size_t>(high) + 1];
+            if (first < last) f(first, last);
+        }
+    }
+};
+
+}  // namespace runout

@@ -1,0 +1,275 @@
+#include "engine/neighbours.h"
+
+#include <array>
+#include <cmath>
+
+#include "engine/parallel.h"
+
+namespace runout {
+namespace {
+
+struct Entry {
+    int column = 0;
+    float gx = 0, gy = 0, stiffness = 0;
+};
+
+/// One row while it is collected: soil entries, wall entries and the sums that come with them.
+struct Row {
+    std::vector<Entry> entries;
+    std::vector<WallPair> wall;
+    double kernel_sum = 0, stiffness_sum = 0;
+    double surface_x = 0, surface_y = 0;
+    double moment[4] = {};
+    int nearest_boundary = -1;
+    double nearest2 = 1e300;
+
+    void clear() {
+        entries.clear();
+        wall.clear();
+        kernel_sum = stiffness_sum = surface_x = surface_y = 0;
+        for (double& m : moment) m = 0;
+        nearest_boundary = -1;
+        nearest2 = 1e300;
+    }
+};
+
+/// Inverse of the moment matrix; the identity for a particle too lonely to have a gradient.
+void invert_moment(const double* m, double* inverse) {
+    const double det = m[0] * m[3] - m[1] * m[2];
+    const double size2 = m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + m[3] * m[3];
+    if (det < 0.1 * size2 || det < 0.05) {
+        inverse[0] = inverse[3] = 1.0;
+        inverse[1] = inverse[2] = 0.0;
+        return;
+    }
+    inverse[0] = m[3] / det;
+    inverse[1] = -m[1] / det;
+    inverse[2] = -m[2] / det;
+    inverse[3] = m[0] / det;
+}
+
+WallPair& wall_pair(Row& row, int boundary) {
+    for (WallPair& pair : row.wall) {
+        if (pair.boundary == boundary) return pair;
+    }
+    row.wall.emplace_back();
+    row.wall.back().boundary = boundary;
+    return row.wall.back();
+}
+
+/// Geometry of one pair, added to the row's sums.
+struct Pair {
+    double r2, gx, gy, stiffness, kernel;
+};
+
+Pair add_pair(Row& row, const WendlandKernel& kernel, const Discretisation& d, double dx, double dy, double r2) {
+    const double r = std::sqrt(r2);
+    const double slope = kernel.slope(r);
+    const double f = slope * d.volume();
+    const Pair pair{r2, f * dx, f * dy, d.stiffness(slope, r2), kernel.value(r)};
+    row.kernel_sum += pair.kernel;
+    row.stiffness_sum += pair.stiffness;
+    row.surface_x += pair.gx;
+    row.surface_y += pair.gy;
+    row.moment[0] -= dx * pair.gx;
+    row.moment[1] -= dx * pair.gy;
+    row.moment[2] -= dy * pair.gx;
+    row.moment[3] -= dy * pair.gy;
+    return pair;
+}
+
+void write_slice(PairBlock& block, int slice, std::array<Row, lanes>& rows) {
+    std::size_t width = 0;
+    for (Row& row : rows) {
+        for (WallPair& w : row.wall) row.entries.push_back({0, w.gx, w.gy, w.stiffness});
+        width = std::max(width, row.entries.size());
+    }
+    const std::size_t first = block.column.size();
+    const std::size_t last = first + width * lanes;
+    block.column.resize(last, 0);
+    block.gx.resize(last, 0.0F);
+    block.gy.resize(last, 0.0F);
+    block.stiffness.resize(last, 0.0F);
+    for (int l = 0; l < lanes; ++l) {
+        Row& row = rows[l];
+        const std::size_t walls_from = row.entries.size() - row.wall.size();
+        for (std::size_t k = 0; k < row.entries.size(); ++k) {
+            const std::size_t slot = first + k * lanes + l;
+            block.column[slot] = row.entries[k].column;
+            block.gx[slot] = row.entries[k].gx;
+            block.gy[slot] = row.entries[k].gy;
+            block.stiffness[slot] = row.entries[k].stiffness;
+            if (k >= walls_from) {
+                WallPair& pair = row.wall[k - walls_from];
+                pair.slot = static_cast<int>(slot);
+                pair.row = block.first_row + slice * lanes + l;
+                block.wall_pairs.push_back(pair);
+            }
+        }
+    }
+    block.offset[slice + 1] = static_cast<int>(last);
+}
+
+template <class T>
+void permute(std::vector<T>& values, const std::vector<int>& order, std::vector<T>& scratch) {
+    scratch.resize(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) scratch[i] = values[order[i]];
+    std::copy(scratch.begin(), scratch.end(), values.begin());
+}
+
+}  // namespace
+
+NeighbourSearch::NeighbourSearch(const Discretisation& discretisation, int threads)
+    : discretisation_(discretisation), kernel_(discretisation.smoothing_length), threads_(threads) {
+    grid_.size = kernel_.support();
+}
+
+void NeighbourSearch::sort(Soil& soil) {
+    grid_.sort(soil.x, soil.y, soil.count, order_);
+    for (auto* field : {&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy}) {
+        permute(*field, order_, scratch_);
+    }
+    permute(soil.id, order_, int_scratch_);
+    permute(soil.aggregate, order_, int_scratch_);
+}
+
+void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
+    n.soil_count = soil.count;
+    n.first_boundary = soil.padded();
+    n.stiffness_sum.assign(soil.padded(), 0.0);
+    n.surface_x.assign(soil.padded(), 0.0);
+    n.surface_y.assign(soil.padded(), 0.0);
+    n.nearest_boundary.assign(soil.padded(), -1);
+    n.density.assign(soil.padded(), 1.0);
+    n.correction.assign(4 * soil.padded(), 0.0);
+    const int blocks = (soil.padded() + rows_per_block - 1) / rows_per_block;
+    n.blocks.resize(blocks);
+    for_each_block(blocks, threads_, [&](int b) { find_block(soil, wall, n, b); });
+    number_boundary(soil, wall, n);
+    fill_boundary_rows(wall, soil, n);
+}
+
+void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours& n, int b) const {
+    thread_local std::array<Row, lanes> rows;
+    PairBlock& block = n.blocks[b];
+    block.first_row = b * rows_per_block;
+    block.column.clear();
+    block.gx.clear();
+    block.gy.clear();
+    block.stiffness.clear();
+    block.wall_pairs.clear();
+    const double support2 = kernel_.support() * kernel_.support();
+    for (int slice = 0; slice < slices_per_block; ++slice) {
+        for (int l = 0; l < lanes; ++l) {
+            Row& row = rows[l];
+            row.clear();
+            const int i = block.first_row + slice * lanes + l;
+            if (i >= soil.count) continue;
+            const double x = soil.x[i];
+            const double y = soil.y[i];
+            row.kernel_sum = kernel_.value(0.0);
+            grid_.around(x, y, [&](int first, int last) {
+                for (int j = first; j < last; ++j) {
+                    const double dx = x - soil.x[j];
+                    const double dy = y - soil.y[j];
+                    const double r2 = dx * dx + dy * dy;
+                    if (r2 >= support2 || j == i) continue;
+                    const Pair p = add_pair(row, kernel_, discretisation_, dx, dy, r2);
+                    row.entries.push_back({j, static_cast<float>(p.gx), static_cast<float>(p.gy),
+                                           static_cast<float>(p.stiffness)});
+                }
+            });
+            wall.grid.around(x, y, [&](int first, int last) {
+                for (int k = first; k < last; ++k) {
+                    const int q = wall.order[k];
+                    const double dx = x - wall.x[q];
+                    const double dy = y - wall.y[q];
+                    const double r2 = dx * dx + dy * dy;
+                    if (r2 >= support2) continue;
+                    const Pair p = add_pair(row, kernel_, discretisation_, dx, dy, r2);
+                    WallPair& pair = wall_pair(row, wall.group[q]);
+                    pair.gx += static_cast<float>(p.gx);
+                    pair.gy += static_cast<float>(p.gy);
+                    pair.stiffness += static_cast<float>(p.stiffness);
+                    if (r2 < row.nearest2) {
+                        row.nearest2 = r2;
+                        row.nearest_boundary = wall.group[q];
+                    }
+                    if (q != wall.group[q]) continue;
+                    pair.own = true;
+                    pair.own_gx = static_cast<float>(p.gx);
+                    pair.own_gy = static_cast<float>(p.gy);
+                    pair.own_kernel = p.kernel;
+                }
+            });
+            n.density[i] = row.kernel_sum / discretisation_.lattice_sum;
+            n.stiffness_sum[i] = row.stiffness_sum;
+            n.surface_x[i] = row.surface_x;
+            n.surface_y[i] = row.surface_y;
+            n.nearest_boundary[i] = row.nearest_boundary;
+            invert_moment(row.moment, &n.correction[4 * i]);
+        }
+        write_slice(block, slice, rows);
+    }
+}
+
+void NeighbourSearch::number_boundary(const Soil& soil, const Wall& wall, Neighbours& n) {
+    node_of_boundary_.assign(wall.boundary_count, -1);
+    for (const PairBlock& block : n.blocks) {
+        for (const WallPair& pair : block.wall_pairs) node_of_boundary_[pair.boundary] = 0;
+    }
+    n.active.clear();
+    for (int b = 0; b < wall.boundary_count; ++b) {
+        if (node_of_boundary_[b] < 0) continue;
+        node_of_boundary_[b] = n.first_boundary + n.active_count();
+        n.active.push_back(b);
+    }
+    n.nodes = soil.padded() + n.active_count();
+    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
+        PairBlock& block = n.blocks[b];
+        for (const WallPair& pair : block.wall_pairs) block.column[pair.slot] = node_of_boundary_[pair.boundary];
+    });
+}
+
+void NeighbourSearch::fill_boundary_rows(const Wall& wall, const Soil& soil, Neighbours& n) {
+    const int count = n.active_count();
+    n.boundary_start.assign(count + 1, 0);
+    n.boundary_soil.assign(count, 0);
+    n.density.resize(n.nodes);
+    n.correction.resize(4 * n.nodes);
+    std::vector<double>& moment = scratch_;
+    moment.assign(4 * count, 0.0);
+    for (int a = 0; a < count; ++a) {
+        n.density[n.first_boundary + a] = wall.kernel_sum[n.active[a]];
+        for (int c = 0; c < 4; ++c) moment[4 * a + c] = wall.moment[4 * n.active[a] + c];
+    }
+    for (const PairBlock& block : n.blocks) {
+        for (const WallPair& pair : block.wall_pairs) {
+            ++n.boundary_start[node_of_boundary_[pair.boundary] - n.first_boundary + 1];
+        }
+    }
+    for (int a = 0; a < count; ++a) n.boundary_start[a + 1] += n.boundary_start[a];
+    n.boundary_pairs.resize(n.boundary_start[count]);
+    cursor_.assign(n.boundary_start.begin(), n.boundary_start.end());
+    for (const PairBlock& block : n.blocks) {
+        for (const WallPair& pair : block.wall_pairs) {
+            const int a = node_of_boundary_[pair.boundary] - n.first_boundary;
+            n.boundary_pairs[cursor_[a]++] = {pair.row, -pair.gx, -pair.gy, pair.stiffness, -pair.own_gx, -pair.own_gy};
+            if (!pair.own) continue;
+            ++n.boundary_soil[a];
+            n.density[n.first_boundary + a] += pair.own_kernel;
+            const double dx = soil.x[pair.row] - wall.x[pair.boundary];
+            const double dy = soil.y[pair.row] - wall.y[pair.boundary];
+            moment[4 * a + 0] += dx * -pair.own_gx;
+            moment[4 * a + 1] += dx * -pair.own_gy;
+            moment[4 * a + 2] += dy * -pair.own_gx;
+            moment[4 * a + 3] += dy * -pair.own_gy;
+        }
+    }
+    for (int a = 0; a < count; ++a) {
+        n.density[n.first_boundary + a] /= discretisation_.lattice_sum;
+        invert_moment(&moment[4 * a], &n.correction[4 * (n.first_boundary + a)]);
+    }
+}
+
+}  // namespace runout

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+
+namespace runout {
+
+/// Parts of a step whose time is taken.
+enum class Phase { neighbours, friction, pressure, motion, count };
+
+constexpr const char* to_string(Phase phase) {
+    switch (phase) {
+        case Phase::neighbours: return "neighbours";
+        case Phase::friction: return "friction";
+        case Phase::pressure: return "pressure";
+        case Phase::motion: return "motion";
+        case Phase::count: break;
+    }
+    return "";
+}
+
+/// Wall seconds per phase.
+class PhaseClock {
+  public:
+    /// Ends the phase at hand, if any, and starts the next.
+    void enter(Phase phase) {
+        const auto now = std::chrono::steady_clock::now();
+        if (current_ != Phase::count) seconds_[static_cast<int>(current_)] += elapsed(now);
+        current_ = phase;
+        since_ = now;
+    }
+    void leave() { enter(Phase::count); }
+    [[nodiscard]] double seconds(Phase phase) const { return seconds_[static_cast<int>(phase)]; }
+
+  private:
+    [[nodiscard]] double elapsed(std::chrono::steady_clock::time_point now) const {
+        return std::chrono::duration<double>(now - since_).count();
+    }
+
+    std::array<double, static_cast<int>(Phase::count)> seconds_{};
+    Phase current_ = Phase::count;
+    std::chrono::steady_clock::time_point since_;
+};
+
+}  // namespace runout

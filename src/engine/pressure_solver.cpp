@@ -1,0 +1,213 @@
+#include "engine/pressure_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/operators.h"
+#include "engine/parallel.h"
+
+namespace runout {
+namespace {
+
+constexpr int max_iterations = 1000;
+constexpr double coarse_cell_spacings = 4.0;
+constexpr double coarse_scale = 1.5;      // makes up for the piecewise constant coarse space
+constexpr int steps_per_coarse_build = 15;
+constexpr int dot_chunk = 1024;
+
+}  // namespace
+
+PressureSolver::PressureSolver(const Discretisation& discretisation, double gravity, double length, double tolerance,
+                               int threads)
+    : discretisation_(discretisation),
+      gravity_(gravity),
+      relaxation_time_(2.0 * discretisation.spacing / std::sqrt(gravity * length)),
+      tolerance_(tolerance),
+      threads_(threads) {}
+
+void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& wall) {
+    pressure_.assign(n.nodes, 0.0);
+    diagonal_.assign(n.nodes, 1.0);
+    free_.assign(n.nodes, 0);
+    for (int i = 0; i < soil.count; ++i) {
+        pressure_[i] = soil.pressure[i];
+        free_[i] = 1;
+        diagonal_[i] = n.stiffness_sum[i];
+        if (n.density[i] < surface_density) {
+            diagonal_[i] += std::max(0.0, discretisation_.lattice_stiffness - n.stiffness_sum[i]);
+        }
+    }
+    for (int a = 0; a < n.active_count(); ++a) {
+        const int node = n.first_boundary + a;
+        const int b = n.active[a];
+        const bool at_surface = n.density[node] < surface_density;
+        if (n.boundary_soil[a] == 0) {
+            pressure_[node] = 0.0;
+        } else if (at_surface && n.boundary_soil[a] < 3) {
+            pressure_[node] = 0.25 * discretisation_.density * gravity_ * discretisation_.spacing;
+        } else {
+            pressure_[node] = wall.pressure[b];
+            free_[node] = 1;
+        }
+        double sum = 0.0;
+        for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) sum += n.boundary_pairs[k].stiffness;
+        for (int k = wall.neighbour_start[b]; k < wall.neighbour_start[b + 1]; ++k) sum += wall.neighbour_stiffness[k];
+        diagonal_[node] = sum;
+    }
+    boundary_node_.assign(wall.boundary_count, -1);
+    for (int a = 0; a < n.active_count(); ++a) boundary_node_[n.active[a]] = n.first_boundary + a;
+}
+
+/// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n.
+void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
+                                         const std::vector<double>& vy, const PressureStep& step) {
+    right_hand_side_.assign(n.nodes, 0.0);
+    kept_.assign(n.nodes, 0.0);
+    trial_vx_.assign(n.nodes, 0.0);
+    trial_vy_.assign(n.nodes, 0.0);
+    product_.assign(n.nodes, 0.0);
+    for (int i = 0; i < n.nodes; ++i) kept_[i] = step.memory * pressure_[i];
+    multiply(n, wall, kept_, product_);
+    const double dt = step.dt;
+    const double scale = dt / discretisation_.density;
+    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
+        pressure_gradient(n.blocks[b], n.soil_count, kept_.data(), trial_vx_.data(), trial_vy_.data());
+        const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
+        for (int i = n.blocks[b].first_row; i < last; ++i) {
+            trial_vx_[i] = vx[i] - scale * trial_vx_[i];
+            trial_vy_[i] = vy[i] - scale * trial_vy_[i];
+        }
+    });
+    const double rate = step.correct_density ? 1.0 / std::max(relaxation_time_, 10.0 * dt) : 0.0;
+    const auto wanted = [&](int node) { return rate * std::max(0.0, n.density[node] - 1.0); };
+    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
+        velocity_divergence(n.blocks[b], n.soil_count, trial_vx_.data(), trial_vy_.data(), right_hand_side_.data());
+        const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
+        for (int i = n.blocks[b].first_row; i < last; ++i) {
+            right_hand_side_[i] = (wanted(i) - right_hand_side_[i]) / dt + product_[i];
+        }
+    });
+    for (int a = 0; a < n.active_count(); ++a) {
+        const int node = n.first_boundary + a;
+        if (!free_[node]) continue;
+        double divergence = 0.0;
+        for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) {
+            const BoundaryPair& pair = n.boundary_pairs[k];
+            divergence += trial_vx_[pair.soil] * pair.gx + trial_vy_[pair.soil] * pair.gy;
+        }
+        right_hand_side_[node] = (wanted(node) - divergence) / dt + product_[node];
+    }
+}
+
+void PressureSolver::refresh_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall) {
+    aggregate_.assign(n.nodes, -1);
+    const bool worn = steps_since_build_ >= steps_per_coarse_build ||
+                      last_iterations_ > iterations_after_build_ + iterations_after_build_ / 2 + 3;
+    if (wall_aggregate_.empty() || worn) {
+        coarse_.build(n, soil, wall, diagonal_, free_, coarse_cell_spacings * discretisation_.spacing, aggregate_);
+        std::copy_n(aggregate_.begin(), soil.count, soil.aggregate.begin());
+        wall_aggregate_.assign(wall.boundary_count, -1);
+        for (int a = 0; a < n.active_count(); ++a) wall_aggregate_[n.active[a]] = aggregate_[n.first_boundary + a];
+        steps_since_build_ = 0;
+        return;
+    }
+    std::copy_n(soil.aggregate.begin(), soil.count, aggregate_.begin());
+    for (int a = 0; a < n.active_count(); ++a) {
+        const int node = n.first_boundary + a;
+        aggregate_[node] = free_[node] ? wall_aggregate_[n.active[a]] : -1;
+    }
+    ++steps_since_build_;
+}
+
+void PressureSolver::multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x,
+                              std::vector<double>& out) {
+    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
+        stiffness_product(n.blocks[b], n.soil_count, x.data(), out.data());
+        const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
+        for (int i = n.blocks[b].first_row; i < last; ++i) out[i] = diagonal_[i] * x[i] - out[i];
+    });
+    for (int a = 0; a < n.active_count(); ++a) {
+        const int node = n.first_boundary + a;
+        if (!free_[node]) {
+            out[node] = 0.0;
+            continue;
+        }
+        const int b = n.active[a];
+        double sum = diagonal_[node] * x[node];
+        for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) {
+            sum -= n.boundary_pairs[k].stiffness * x[n.boundary_pairs[k].soil];
+        }
+        for (int k = wall.neighbour_start[b]; k < wall.neighbour_start[b + 1]; ++k) {
+            const int other = boundary_node_[wall.neighbour[k]];
+            if (other >= 0) sum -= wall.neighbour_stiffness[k] * x[other];
+        }
+        out[node] = sum;
+    }
+}
+
+double PressureSolver::dot(const std::vector<double>& a, const std::vector<double>& b) {
+    const int size = static_cast<int>(a.size());
+    const int chunks = (size + dot_chunk - 1) / dot_chunk;
+    return sum_blocks(chunks, threads_, partial_, [&](int c) {
+        double sum = 0.0;
+        const int last = std::min(size, (c + 1) * dot_chunk);
+        for (int i = c * dot_chunk; i < last; ++i) sum += a[i] * b[i];
+        return sum;
+    });
+}
+
+void PressureSolver::precondition() {
+    for (std::size_t i = 0; i < residual_.size(); ++i) correction_[i] = residual_[i] / diagonal_[i];
+    coarse_.correct(aggregate_, coarse_scale, residual_, correction_);
+}
+
+PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
+    PressureSolve result;
+    const std::size_t size = pressure_.size();
+    residual_.assign(size, 0.0);
+    correction_.assign(size, 0.0);
+    direction_.assign(size, 0.0);
+    product_.assign(size, 0.0);
+    multiply(n, wall, pressure_, product_);
+    for (std::size_t i = 0; i < size; ++i) residual_[i] = free_[i] ? right_hand_side_[i] - product_[i] : 0.0;
+    const double norm = std::sqrt(dot(right_hand_side_, right_hand_side_));
+    const double target = tolerance_ * norm;
+    double rz_old = 0.0;
+    double size_now = std::sqrt(dot(residual_, residual_));
+    while (size_now > target && result.iterations < max_iterations) {
+        precondition();
+        const double rz = dot(residual_, correction_);
+        const double beta = result.iterations == 0 ? 0.0 : rz / rz_old;
+        for (std::size_t i = 0; i < size; ++i) direction_[i] = correction_[i] + beta * direction_[i];
+        multiply(n, wall, direction_, product_);
+        const double alpha = rz / dot(direction_, product_);
+        for (std::size_t i = 0; i < size; ++i) {
+            pressure_[i] += alpha * direction_[i];
+            residual_[i] -= alpha * product_[i];
+        }
+        rz_old = rz;
+        size_now = std::sqrt(dot(residual_, residual_));
+        ++result.iterations;
+    }
+    result.residual = norm > 0.0 ? size_now / norm : 0.0;
+    result.converged = size_now <= target;
+    return result;
+}
+
+PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall, const std::vector<double>& vx,
+                                    const std::vector<double>& vy, const PressureStep& step) {
+    set_up(n, soil, wall);
+    set_right_hand_side(n, wall, vx, vy, step);
+    refresh_coarse_level(n, soil, wall);
+    PressureSolve result = iterate(n, wall);
+    last_iterations_ = result.iterations;
+    if (steps_since_build_ == 0) iterations_after_build_ = result.iterations;
+    for (double& p : pressure_) p = std::max(p, 0.0);
+    std::copy_n(pressure_.begin(), soil.count, soil.pressure.begin());
+    std::fill(wall.pressure.begin(), wall.pressure.end(), 0.0);
+    for (int a = 0; a < n.active_count(); ++a) wall.pressure[n.active[a]] = pressure_[n.first_boundary + a];
+    for (int i = 0; i < soil.count; ++i) result.highest = std::max(result.highest, pressure_[i]);
+    return result;
+}
+
+}  // namespace runout

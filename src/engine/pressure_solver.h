@@ -1,0 +1,82 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/coarse_level.h"
+#include "engine/neighbours.h"
+#include "engine/soil.h"
+#include "engine/wall.h"
+
+namespace runout {
+
+/// Density ratio below which a particle belongs to the free surface (the paper's 0.97).
+constexpr double surface_density = 0.97;
+
+/// How a pressure solve is to be done.
+struct PressureStep {
+    double dt = 0;
+    /// Share of the old pressure that the projection starts from (incremental projection). The Laplacian of eq. 5 is
+    /// not the divergence of the gradient, so a projection from nothing leaves a part of the weight uncarried and a
+    /// heap at rest creeps; a full memory keeps every noise that the gradient does not see.
+    double memory = 0.9;
+    bool correct_density = true;  ///< work off density above rho_0
+};
+
+/// What one pressure solve took.
+struct PressureSolve {
+    int iterations = 0;
+    double residual = 0;  ///< relative to the right-hand side
+    bool converged = false;
+    double highest = 0;   ///< Pa
+};
+
+/// Pressure that makes v* divergence-free, eq. 5 in symmetric form on soil and boundary particles:
+///   sum_j k_ij (q_i - q_j) = -(div(v* - dt grad(m p^n)/rho) - max(0, rho/rho_0 - 1)/T) / dt,  p = m p^n + q
+/// Dummies are eliminated (P^T A P), so the matrix is symmetric positive definite. At the free surface the missing
+/// neighbours are ghosts at p = 0: the diagonal is filled up to the lattice's sum of k (semi-Dirichlet), which keeps
+/// layers of one to three particles incompressible, as the paper's imposed pressure does not. Conjugate gradients with
+/// an additive two-level preconditioner. Negative pressure is cut off: dry soil bears no tension.
+class PressureSolver {
+  public:
+    /// `length`: scale of the mass, m, for the time in which excess density is worked off.
+    PressureSolver(const Discretisation& discretisation, double gravity, double length, double tolerance, int threads);
+
+    /// On return soil and wall hold the pressure of the end of the step.
+    PressureSolve solve(const Neighbours& n, Soil& soil, Wall& wall, const std::vector<double>& vx,
+                        const std::vector<double>& vy, const PressureStep& step);
+
+    /// Pressure per node as the last solve left it, for the corrector.
+    [[nodiscard]] const std::vector<double>& node_pressure() const { return pressure_; }
+
+  private:
+    void set_up(const Neighbours& n, const Soil& soil, const Wall& wall);
+    void set_right_hand_side(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
+                             const std::vector<double>& vy, const PressureStep& step);
+    void refresh_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall);
+    void multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x, std::vector<double>& out);
+    void precondition();
+    PressureSolve iterate(const Neighbours& n, const Wall& wall);
+    double dot(const std::vector<double>& a, const std::vector<double>& b);
+
+    Discretisation discretisation_;
+    double gravity_;
+    double relaxation_time_;  ///< s, least time in which excess density is worked off
+    double tolerance_;
+    int threads_;
+
+    CoarseLevel coarse_;
+    std::vector<int> wall_aggregate_;
+    int steps_since_build_ = 0;
+    int iterations_after_build_ = 0;
+    int last_iterations_ = 0;
+
+    // Node arrays.
+    std::vector<double> kept_, trial_vx_, trial_vy_;  ///< m p^n and the velocity under it
+    std::vector<double> pressure_, right_hand_side_, diagonal_, residual_, correction_, direction_, product_;
+    std::vector<char> free_;
+    std::vector<int> aggregate_;
+    std::vector<int> boundary_node_;
+    std::vector<double> partial_;
+};
+
+}  // namespace runout

@@ -1,0 +1,278 @@
+#include "engine/simulation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "engine/operators.h"
+#include "engine/parallel.h"
+
+namespace runout {
+namespace {
+
+constexpr int particles_per_thread = 1500;   // below this a second thread costs more than it brings
+constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
+constexpr double rest_energy = 1e-5;         // kinetic energy at rest, share of M g sqrt(S)
+constexpr double rest_time = 2.0;            // for so many sqrt(sqrt(S)/g)
+constexpr int equilibrium_rounds = 200;
+constexpr int equilibrium_iterations = 20;
+constexpr double equilibrium_change = 5e-4;     // of the acceleration between two rounds, in g, root mean square
+
+int threads_for(int wanted, std::size_t particles) {
+    const int available = wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    return std::clamp(static_cast<int>(particles) / particles_per_thread, 1, available);
+}
+
+Soil make_soil(const Packing& packing) {
+    Soil soil;
+    soil.count = static_cast<int>(packing.x.size());
+    soil.x = packing.x;
+    soil.y = packing.y;
+    for (auto* field : {&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy}) {
+        field->resize(soil.padded(), 0.0);
+    }
+    soil.aggregate.resize(soil.padded(), -1);
+    for (int i = 0; i < soil.padded(); ++i) soil.id.push_back(i);
+    return soil;
+}
+
+double lowest(const Polyline& points) {
+    double y = points.front().y();
+    for (const Vec2& p : points) y = std::min(y, p.y());
+    return y;
+}
+
+double highest(const Polygon& points) {
+    double y = points.front().y();
+    for (const Vec2& p : points) y = std::max(y, p.y());
+    return y;
+}
+
+double spacing_of(const Scene& scene) {
+    return scene.run.particle_spacing > 0 ? scene.run.particle_spacing
+                                          : std::sqrt(scene.source.area) / scene.run.resolution;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Scene& scene)
+    : Simulation(scene, pack_source(scene.source, spacing_of(scene), scene.run.smoothing_ratio)) {}
+
+Simulation::Simulation(const Scene& scene, const Packing& packing)
+    : threads_(threads_for(scene.run.threads, packing.x.size())),
+      run_(scene.run),
+      bed_(scene.source.bed),
+      discretisation_(
+          make_discretisation(packing.spacing, scene.run.smoothing_ratio, scene.material.density)),
+      length_scale_(std::sqrt(scene.source.area)),
+      time_scale_(std::sqrt(length_scale_ / scene.run.gravity)),
+      floor_(lowest(scene.source.bed)),
+      height_(highest(scene.source.outline) - floor_),
+      time_limit_(scene.run.time_limit > 0 ? scene.run.time_limit
+                                           : 60.0 * std::sqrt(height_ / scene.run.gravity)),
+      soil_(make_soil(packing)),
+      wall_(make_wall(bed_, discretisation_)),
+      search_(discretisation_, threads_),
+      friction_(discretisation_, scene.material, scene.run, threads_),
+      pressure_(discretisation_, scene.run.gravity, length_scale_, scene.run.pressure_tolerance, threads_) {
+    start_x_ = packing.x;
+    start_y_ = packing.y;
+    for (auto* field : {&predicted_vx_, &predicted_vy_, &force_x_, &force_y_}) field->assign(soil_.padded(), 0.0);
+    find_equilibrium();
+}
+
+/// Pressure and stress in balance on the frozen geometry before release, the mass not yet moving. Without it the
+/// first moments of every run, and cases close to stability, are wrong. Ends when the acceleration at release no
+/// longer changes.
+void Simulation::find_equilibrium() {
+    search_.sort(soil_);
+    search_.find(soil_, wall_, neighbours_);
+    const double dt = 0.1 * discretisation_.spacing / std::sqrt(run_.gravity * length_scale_);
+    const PressureStep frozen{dt, 1.0, false};
+    std::vector<double> ax(soil_.count, 0.0);
+    std::vector<double> ay(soil_.count, 0.0);
+    for (int round = 0; round < equilibrium_rounds; ++round) {
+        friction_.predict(neighbours_, soil_, wall_, dt, predicted_vx_, predicted_vy_, equilibrium_iterations);
+        highest_pressure_ =
+            pressure_.solve(neighbours_, soil_, wall_, predicted_vx_, predicted_vy_, frozen).highest;
+        find_pressure_gradient();
+        double change2 = 0.0;
+        for (int i = 0; i < soil_.count; ++i) {
+            const double x = predicted_vx_[i] / dt - force_x_[i] / discretisation_.density;
+            const double y = predicted_vy_[i] / dt - force_y_[i] / discretisation_.density;
+            change2 += (x - ax[i]) * (x - ax[i]) + (y - ay[i]) * (y - ay[i]);
+            ax[i] = x;
+            ay[i] = y;
+        }
+        if (std::sqrt(change2 / soil_.count) < equilibrium_change * run_.gravity) break;
+    }
+}
+
+void Simulation::step() {
+    clock_.enter(Phase::neighbours);
+    search_.sort(soil_);
+    search_.find(soil_, wall_, neighbours_);
+    const double dt = choose_time_step();
+    clock_.enter(Phase::friction);
+    friction_.predict(neighbours_, soil_, wall_, dt, predicted_vx_, predicted_vy_);
+    clock_.enter(Phase::pressure);
+    const PressureSolve solve = pressure_.solve(neighbours_, soil_, wall_, predicted_vx_, predicted_vy_, {.dt = dt});
+    clock_.enter(Phase::motion);
+    correct(dt);
+    move(dt);
+    guard_wall();
+    clock_.leave();
+
+    time_ += dt;
+    ++work_.steps;
+    work_.pressure_iterations += solve.iterations;
+    highest_pressure_ = solve.highest;
+    unconverged_in_a_row_ = solve.converged ? 0 : unconverged_in_a_row_ + 1;
+    work_.unconverged_solves += solve.converged ? 0 : 1;
+    judge();
+}
+
+/// The least of three limits: the Courant step of eq. 6; the same for the speed that gravity adds within the step;
+/// and the passage of a pressure wave, since the lattice of particles answers a change of pressure explicitly: without
+/// this one a pile at rest fluidises. Lone grains do not set the pace for all.
+double Simulation::choose_time_step() const {
+    double speed2 = 0.0;
+    for (int i = 0; i < soil_.count; ++i) {
+        if (in_body(i)) speed2 = std::max(speed2, soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i]);
+    }
+    const double dl = discretisation_.spacing;
+    double dt = std::sqrt(run_.courant * dl / run_.gravity);
+    if (speed2 > 0.0) dt = std::min(dt, run_.courant * dl / std::sqrt(speed2));
+    if (highest_pressure_ > 0.0) {
+        dt = std::min(dt, pressure_wave_courant * dl / std::sqrt(highest_pressure_ / discretisation_.density));
+    }
+    return dt;
+}
+
+void Simulation::find_pressure_gradient() {
+    for_each_block(static_cast<int>(neighbours_.blocks.size()), threads_, [&](int b) {
+        pressure_gradient(neighbours_.blocks[b], soil_.count, pressure_.node_pressure().data(), force_x_.data(),
+                          force_y_.data());
+    });
+}
+
+/// Eq. 4. On return the velocity is that of the end of the step, and the work of friction and pressure is booked.
+void Simulation::correct(double dt) {
+    const double scale = dt / discretisation_.density;
+    find_pressure_gradient();
+    double friction = 0.0;
+    double pressure = 0.0;
+    for (int i = 0; i < soil_.count; ++i) {
+        const double px = -scale * force_x_[i];
+        const double py = -scale * force_y_[i];
+        const double fx = predicted_vx_[i] - soil_.vx[i];
+        const double fy = predicted_vy_[i] - soil_.vy[i] + dt * run_.gravity;
+        const double vx = predicted_vx_[i] + px;
+        const double vy = predicted_vy_[i] + py;
+        const double mean_x = 0.5 * (vx + soil_.vx[i]);
+        const double mean_y = 0.5 * (vy + soil_.vy[i]);
+        friction -= fx * mean_x + fy * mean_y;
+        pressure += px * mean_x + py * mean_y;
+        soil_.vx[i] = vx;
+        soil_.vy[i] = vy;
+    }
+    friction_work_ += discretisation_.mass() * friction;
+    pressure_work_ += discretisation_.mass() * pressure;
+}
+
+/// x += dt v^{n+1}: the mean of old and new velocity collapses the pile. A lone grain moves one spacing at most.
+void Simulation::move(double dt) {
+    for (int i = 0; i < soil_.count; ++i) {
+        double dx = dt * soil_.vx[i];
+        double dy = dt * soil_.vy[i];
+        const double size = std::hypot(dx, dy);
+        if (size > discretisation_.spacing) {
+            dx *= discretisation_.spacing / size;
+            dy *= discretisation_.spacing / size;
+        }
+        soil_.x[i] += dx;
+        soil_.y[i] += dy;
+        work_.highest_density = std::max(work_.highest_density, neighbours_.density[i]);
+    }
+}
+
+/// No particle beyond the bed line: it is put back by at most half a spacing, and its velocity into the bed ends.
+void Simulation::guard_wall() {
+    for (int i = 0; i < soil_.count; ++i) {
+        const int boundary = neighbours_.nearest_boundary[i];
+        if (boundary < 0) continue;
+        const BedLine::Nearest near = bed_.nearest({soil_.x[i], soil_.y[i]}, wall_.segment[boundary], 8);
+        if (near.distance >= 0.0) continue;
+        const double back = std::min(-near.distance, 0.5 * discretisation_.spacing);
+        soil_.x[i] += back * near.normal.x();
+        soil_.y[i] += back * near.normal.y();
+        const double inward = std::min(0.0, soil_.vx[i] * near.normal.x() + soil_.vy[i] * near.normal.y());
+        soil_.vx[i] -= inward * near.normal.x();
+        soil_.vy[i] -= inward * near.normal.y();
+        // A lone grain that lies on the line is no defect; one that was driven in is.
+        if (back > 0.01 * discretisation_.spacing) ++work_.wall_guard_activations;
+    }
+}
+
+void Simulation::end(RunStatus status, std::string detail) {
+    status_ = status;
+    detail_ = std::move(detail);
+}
+
+/// Ends the run at rest, at the time limit, or with the name of what went wrong.
+void Simulation::judge() {
+    double kinetic = 0.0;
+    double moved2 = 0.0;
+    for (int i = 0; i < soil_.count; ++i) {
+        const double v2 = soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i];
+        kinetic += v2;
+        const double dx = soil_.x[i] - start_x_[soil_.id[i]];
+        const double dy = soil_.y[i] - start_y_[soil_.id[i]];
+        moved2 = std::max(moved2, dx * dx + dy * dy);
+        if (!std::isfinite(v2)) {
+            return end(RunStatus::diverged, fmt::format("velocity of particle {} is not a number at t = {:.4g} s",
+                                                        soil_.id[i], time_));
+        }
+        if (soil_.x[i] > bed_.points().back().x() || soil_.x[i] < bed_.points().front().x()) {
+            return end(RunStatus::left_section,
+                       fmt::format("soil passed the {} end of the section at t = {:.4g} s; lengthen the section",
+                                   soil_.x[i] < 0 ? "uphill" : "distal", time_));
+        }
+    }
+    const double limit = rest_energy * run_.gravity * length_scale_;
+    if (0.5 * kinetic / soil_.count > limit) last_motion_ = time_;
+    if (time_ - last_motion_ > rest_time * time_scale_) {
+        const bool stood = moved2 < discretisation_.volume();
+        return end(stood ? RunStatus::stable : RunStatus::settled);
+    }
+    if (unconverged_in_a_row_ > 20) {
+        return end(RunStatus::not_converged,
+                   fmt::format("the pressure equation missed its tolerance in 20 steps up to t = {:.4g} s", time_));
+    }
+    if (time_ >= time_limit_) {
+        end(RunStatus::time_limit, fmt::format("still moving at the time limit of {:.4g} s", time_limit_));
+    }
+}
+
+StateView Simulation::state() const {
+    const auto count = static_cast<std::size_t>(soil_.count);
+    const auto view = [&](const std::vector<double>& field) { return std::span(field).first(count); };
+    return {time_,         &discretisation_, &bed_,          run_.gravity,        view(soil_.x),
+            view(soil_.y), view(soil_.vx),   view(soil_.vy), view(soil_.pressure), view(soil_.sxx),
+            view(soil_.sxy), view(neighbours_.density), std::span(soil_.id).first(count)};
+}
+
+EnergyBudget Simulation::energy() const {
+    EnergyBudget budget{0, 0, friction_work_, pressure_work_};
+    for (int i = 0; i < soil_.count; ++i) {
+        budget.kinetic += 0.5 * (soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i]);
+        budget.potential += run_.gravity * soil_.y[i];
+    }
+    budget.kinetic *= discretisation_.mass();
+    budget.potential *= discretisation_.mass();
+    return budget;
+}
+
+}  // namespace runout

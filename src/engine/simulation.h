@@ -1,0 +1,108 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "engine/bed_line.h"
+#include "engine/friction.h"
+#include "engine/neighbours.h"
+#include "engine/packing.h"
+#include "engine/phase_clock.h"
+#include "engine/pressure_solver.h"
+#include "engine/soil.h"
+#include "engine/state_view.h"
+#include "engine/status.h"
+#include "engine/wall.h"
+#include "scene/scene.h"
+
+namespace runout {
+
+/// Exact counts of what a run did so far.
+struct WorkCounts {
+    long steps = 0;
+    long pressure_iterations = 0;
+    long wall_guard_activations = 0;
+    long unconverged_solves = 0;
+    double highest_density = 0;  ///< rho / rho_0, over particles of the body and all instants
+};
+
+/// Mechanical energy per metre of width, J/m.
+struct EnergyBudget {
+    double kinetic = 0;
+    double potential = 0;      ///< above the toe
+    double friction_work = 0;  ///< taken from the motion by friction since release
+    double pressure_work = 0;  ///< given to the motion by pressure since release: the error of the projection
+};
+
+/// Incompressible SPH of Coulomb soil from release to rest. The scene is copied into numbers; nothing of it is kept.
+class Simulation {
+  public:
+    explicit Simulation(const Scene& scene);
+
+    /// One time step, in the paper's order:
+    ///   neighbours -> time step -> friction (predictor) -> pressure (projection) -> correct -> move
+    void step();
+
+    [[nodiscard]] RunStatus status() const { return status_; }
+    /// Why the run did not settle, one sentence; empty otherwise.
+    [[nodiscard]] const std::string& status_detail() const { return detail_; }
+    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] double time_limit() const { return time_limit_; }
+    /// Last instant at which the mass was still moving, s.
+    [[nodiscard]] double motion_ended() const { return last_motion_; }
+    [[nodiscard]] StateView state() const;
+    [[nodiscard]] EnergyBudget energy() const;
+    [[nodiscard]] const WorkCounts& work() const { return work_; }
+    [[nodiscard]] const PhaseClock& clock() const { return clock_; }
+    [[nodiscard]] const Wall& wall() const { return wall_; }
+    [[nodiscard]] int threads() const { return threads_; }
+    /// Time of free fall through sqrt(S), s: the unit of the rest criterion.
+    [[nodiscard]] double time_scale() const { return time_scale_; }
+
+  private:
+    Simulation(const Scene& scene, const Packing& packing);
+    void find_equilibrium();
+    [[nodiscard]] double choose_time_step() const;
+    void find_pressure_gradient();
+    void correct(double dt);
+    void move(double dt);
+    void guard_wall();
+    void judge();
+    void end(RunStatus status, std::string detail = {});
+
+    [[nodiscard]] bool in_body(int i) const { return neighbours_.density[i] >= 0.6; }
+
+    int threads_;
+    RunSettings run_;
+    BedLine bed_;
+    Discretisation discretisation_;
+    double length_scale_;  ///< sqrt(S), m
+    double time_scale_;
+    double floor_;         ///< lowest bed elevation, m
+    double height_;        ///< of the source above the lowest bed, m
+    double time_limit_;
+
+    Soil soil_;
+    Wall wall_;
+    NeighbourSearch search_;
+    Neighbours neighbours_;
+    Friction friction_;
+    PressureSolver pressure_;
+    std::vector<double> predicted_vx_, predicted_vy_;
+    std::vector<double> force_x_, force_y_;
+    std::vector<double> start_x_, start_y_;  ///< by id
+
+    double time_ = 0;
+    double highest_pressure_ = 0;
+    double last_motion_ = 0;
+    double friction_work_ = 0;
+    double pressure_work_ = 0;
+    int unconverged_in_a_row_ = 0;
+    WorkCounts work_;
+    RunStatus status_ = RunStatus::running;
+    std::string detail_;
+    PhaseClock clock_;
+};
+
+}  // namespace runout

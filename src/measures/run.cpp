@@ -1,0 +1,147 @@
+#include "measures/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <numbers>
+
+#include "core/units.h"
+#include "engine/simulation.h"
+#include "measures/deposit.h"
+#include "measures/series.h"
+
+namespace runout {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double samples_per_time_scale = 20.0;
+constexpr double progress_period_s = 0.1;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double cpu_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+double thickness_at_toe(const DepositProfile& profile) {
+    for (const auto& bin : profile.bins) {
+        if (bin.x > 0.0 && bin.x <= profile.bin_width) return bin.by_top;
+    }
+    return 0.0;
+}
+
+std::vector<DepositRow> rows_of(const DepositProfile& profile, const Profile& section) {
+    std::vector<DepositRow> rows;
+    for (const auto& bin : profile.bins) {
+        const Vec2 at = section.to_section({bin.x, bin.bed});
+        rows.push_back({at.x(), at.y(), bin.by_mass, bin.by_top});
+    }
+    if (!section.descends_with_chainage) std::reverse(rows.begin(), rows.end());
+    return rows;
+}
+
+/// Angle below the horizontal from the head of the source to the distal margin, degrees.
+double reach_angle(const Vec2& head, const Vec2& margin) {
+    return degrees(std::atan2(head.y() - margin.y(), margin.x() - head.x()));
+}
+
+Measures measures_at_rest(const Scene& scene, const Simulation& simulation, const DepositProfile& profile,
+                          const std::vector<char>& body, double peak_speed) {
+    const StateView state = simulation.state();
+    const BedLine& bed = *state.bed;
+    const Source& source = scene.source;
+    Measures m;
+    m.front_thickness_m = scene.run.front_thickness > 0 ? scene.run.front_thickness : 0.03 * std::sqrt(source.area);
+    const double front = contiguous_front(profile, &DepositProfile::Bin::by_top, m.front_thickness_m);
+    const double by_mass = contiguous_front(profile, &DepositProfile::Bin::by_mass, m.front_thickness_m);
+    const bool stood = simulation.status() == RunStatus::stable;
+    const auto beyond_toe = [&](double x) { return stood ? 0.0 : std::max(0.0, distance_along_bed(bed, x)); };
+    m.run_out_m = beyond_toe(front);
+    m.front_by_mass_m = beyond_toe(by_mass);
+    m.front_mass_995_m = beyond_toe(mass_front(state, 0.005));
+    m.source_area_m2 = source.area;
+    m.deposit_area_m2 = deposit_area(state, body);
+    m.run_out_normalised = m.run_out_m / std::sqrt(m.deposit_area_m2);
+    m.reach_angle_deg = stood ? std::numeric_limits<double>::quiet_NaN()
+                              : reach_angle(source.head, {front, bed.elevation(front)});
+    m.front_area_m2 = source.front_area;
+    m.front_area_ratio = source.front_area / source.area;
+    m.drop_height_m = source.drop_height;
+    m.drop_height_normalised = source.drop_height / std::sqrt(m.deposit_area_m2);
+    for (const auto& bin : profile.bins) m.deposit_height_m = std::max(m.deposit_height_m, bin.by_top);
+    m.toe_thickness_m = thickness_at_toe(profile);
+    m.peak_front_speed_m_s = stood ? 0.0 : peak_speed;
+    m.time_to_rest_s = simulation.motion_ended();
+    m.stray_particles = static_cast<double>(std::count(body.begin(), body.end(), 0));
+    return m;
+}
+
+RunWork work_of(const Simulation& simulation) {
+    const StateView state = simulation.state();
+    const WorkCounts& counts = simulation.work();
+    RunWork work;
+    work.particles = static_cast<long>(state.x.size());
+    work.boundary_particles = simulation.wall().boundary_count;
+    work.particle_spacing_m = state.discretisation->spacing;
+    work.steps = counts.steps;
+    work.pressure_iterations = counts.pressure_iterations;
+    work.wall_guard_activations = counts.wall_guard_activations;
+    work.highest_density_ratio = counts.highest_density;
+    work.simulated_s = simulation.time();
+    work.threads = simulation.threads();
+    return work;
+}
+
+/// Share of the run that lies behind: by the way from the start's energy to rest, or by time if that is longer.
+double fraction_done(const Simulation& simulation) {
+    const double scale = 12.0 * simulation.time_scale();  // most masses rest by then
+    return std::min(0.99, std::max(simulation.time() / simulation.time_limit(),
+                                   1.0 - std::exp(-2.0 * simulation.time() / scale)));
+}
+
+}  // namespace
+
+RunResult run_scene(const Scene& scene, const RunControl& control) {
+    const auto start = Clock::now();
+    const double cpu_start = cpu_seconds();
+    Simulation simulation(scene);
+    SeriesRecorder series(simulation.time_scale() / samples_per_time_scale);
+    series.sample(simulation, true);
+    RunResult result;
+    double reported = -1.0;
+    bool interrupted = false;
+    while (simulation.status() == RunStatus::running && !interrupted) {
+        simulation.step();
+        series.sample(simulation);
+        const double elapsed = seconds_since(start);
+        if (control.on_progress && elapsed - reported > progress_period_s) {
+            reported = elapsed;
+            control.on_progress({simulation.time(), simulation.time_limit(), fraction_done(simulation),
+                                 simulation.work().steps, elapsed});
+        }
+        interrupted = control.interrupt != nullptr && control.interrupt->load();
+    }
+    series.sample(simulation, true);
+    result.status = interrupted ? RunStatus::interrupted : simulation.status();
+    result.status_detail = interrupted ? "stopped by the user" : simulation.status_detail();
+    const StateView state = simulation.state();
+    const std::vector<char> body = connected_body(state);
+    const DepositProfile profile = deposit_profile(state, body);
+    result.measures = measures_at_rest(scene, simulation, profile, body, series.peak_front_speed());
+    result.work = work_of(simulation);
+    result.series = series.rows();
+    result.deposit = rows_of(profile, scene.profile);
+    for (int p = 0; p < static_cast<int>(Phase::count); ++p) {
+        result.phases.push_back({to_string(static_cast<Phase>(p)), simulation.clock().seconds(static_cast<Phase>(p))});
+    }
+    result.work.wall_s = seconds_since(start);
+    result.work.cpu_s = cpu_seconds() - cpu_start;
+    return result;
+}
+
+}  // namespace runout
