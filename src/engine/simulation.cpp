@@ -264,6 +264,19 @@ StateView Simulation::state() const {
             view(soil_.sxy), view(neighbours_.density), std::span(soil_.id).first(count)};
 }
 
+Vec2 Simulation::bed_force() const {
+    Vec2 force{0, 0};
+    for (const PairBlock& block : neighbours_.blocks) {
+        for (const WallPair& pair : block.wall_pairs) {
+            const double p = soil_.pressure[pair.row] + wall_.pressure[pair.boundary];
+            const double sxx = soil_.sxx[pair.row] + wall_.sxx[pair.boundary];
+            const double sxy = soil_.sxy[pair.row] + wall_.sxy[pair.boundary];
+            force += Vec2{(p + sxx) * pair.gx + sxy * pair.gy, sxy * pair.gx + (p - sxx) * pair.gy};
+        }
+    }
+    return discretisation_.volume() * force;
+}
+
 EnergyBudget Simulation::energy() const {
     EnergyBudget budget{0, 0, friction_work_, pressure_work_};
     for (int i = 0; i < soil_.count; ++i) {

@@ -53,6 +53,8 @@ class Simulation {
     [[nodiscard]] double motion_ended() const { return last_motion_; }
     [[nodiscard]] StateView state() const;
     [[nodiscard]] EnergyBudget energy() const;
+    /// Force of the soil on the bed as the pairs carry it, N per metre of width.
+    [[nodiscard]] Vec2 bed_force() const;
     [[nodiscard]] const WorkCounts& work() const { return work_; }
     [[nodiscard]] const PhaseClock& clock() const { return clock_; }
     [[nodiscard]] const Wall& wall() const { return wall_; }

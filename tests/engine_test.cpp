@@ -1,0 +1,282 @@
+// The engine's parts against exact values: kernel, bed line, wall, pairs, operators, packing, pressure equation.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "engine/neighbours.h"
+#include "engine/operators.h"
+#include "engine/packing.h"
+#include "engine/pressure_solver.h"
+#include "scenes.h"
+
+namespace runout {
+namespace {
+
+constexpr double spacing = 0.005;
+constexpr double density = 2000.0;
+
+Soil soil_at(const std::vector<double>& x, const std::vector<double>& y) {
+    Soil soil;
+    soil.count = static_cast<int>(x.size());
+    soil.x = x;
+    soil.y = y;
+    for (auto* field : {&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy}) {
+        field->resize(soil.padded(), 0.0);
+    }
+    soil.id.resize(soil.padded());
+    std::iota(soil.id.begin(), soil.id.end(), 0);
+    soil.aggregate.resize(soil.padded(), -1);
+    return soil;
+}
+
+/// Square block of n x n lattice points with its lower left cell at the origin.
+Soil lattice(int n) {
+    std::vector<double> x;
+    std::vector<double> y;
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            x.push_back((i + 0.5) * spacing);
+            y.push_back((j + 0.5) * spacing);
+        }
+    }
+    return soil_at(x, y);
+}
+
+/// A lattice in a box with open top: soil, wall and who is near whom.
+struct Filled {
+    Discretisation d = make_discretisation(spacing, 1.3, density);
+    Soil soil;
+    Wall wall;
+    Neighbours n;
+
+    explicit Filled(int cells)
+        : soil(lattice(cells)),
+          wall(make_wall(BedLine({{0, 2 * cells * spacing},
+                                  {0, 0},
+                                  {cells * spacing, 0},
+                                  {cells * spacing, 2 * cells * spacing}}),
+                         d)) {
+        NeighbourSearch search(d, 1);
+        search.sort(soil);
+        search.find(soil, wall, n);
+    }
+};
+
+TEST(Kernel, IntegratesToOne) {
+    const WendlandKernel kernel(1.0);
+    double sum = 0.0;
+    const double dr = 1e-4;
+    for (double r = 0.5 * dr; r < 2.0; r += dr) sum += 2.0 * std::numbers::pi * r * kernel.value(r) * dr;
+    EXPECT_NEAR(sum, 1.0, 1e-8);
+    EXPECT_EQ(kernel.value(2.0), 0.0);
+}
+
+TEST(Kernel, SlopeIsItsDerivative) {
+    const WendlandKernel kernel(0.7);
+    for (const double r : {0.1, 0.5, 0.9, 1.3}) {
+        const double numeric = (kernel.value(r + 1e-6) - kernel.value(r - 1e-6)) / 2e-6;
+        EXPECT_NEAR(kernel.slope(r) * r, numeric, 1e-7);
+    }
+}
+
+TEST(Kernel, LatticeSumAtTheDefaultSmoothingRatio) {
+    const Discretisation d = make_discretisation(spacing, 1.3, density);
+    EXPECT_NEAR(d.lattice_sum * d.volume(), 1.0105, 5e-5);  // the quadrature error that densities are scaled by
+}
+
+TEST(BedLineTest, SignedDistanceAtSegmentsAndCorners) {
+    const BedLine bed({{-1, 1}, {0, 0}, {2, 0}});
+    EXPECT_NEAR(bed.nearest({1, 0.5}).distance, 0.5, 1e-15);
+    EXPECT_NEAR(bed.nearest({1, -0.5}).distance, -0.5, 1e-15);
+    EXPECT_NEAR(bed.nearest({-0.5, 1.5}).distance, std::sqrt(0.5), 1e-15);
+    EXPECT_NEAR(bed.nearest({-0.1, -1.0}).distance, -std::hypot(0.1, 1.0), 1e-12);
+    EXPECT_NEAR(bed.elevation(-0.25), 0.25, 1e-15);
+    EXPECT_EQ(BedLine({{0, 1}, {0, 0}, {1, 0}}).elevation(0.0), 1.0);
+}
+
+TEST(WallTest, StandsHalfASpacingBehindTheLineAndFillsTheLattice) {
+    const Filled f(20);
+    for (int b = 0; b < f.wall.boundary_count; ++b) {
+        const double outside = std::max({-f.wall.x[b], -f.wall.y[b], f.wall.x[b] - 20 * spacing});
+        EXPECT_NEAR(outside, 0.5 * spacing, 1e-12);
+    }
+    for (int i = 0; i < f.soil.count; ++i) {
+        if (f.soil.y[i] < 15 * spacing) {
+            EXPECT_NEAR(f.n.density[i], 1.0, 1e-9);
+        }
+    }
+}
+
+TEST(WallTest, EveryDummyHasItsNearestBoundaryParticle) {
+    const Filled f(12);
+    for (int q = f.wall.boundary_count; q < f.wall.size(); ++q) {
+        const auto distance = [&](int b) { return std::hypot(f.wall.x[q] - f.wall.x[b], f.wall.y[q] - f.wall.y[b]); };
+        double least = 1e300;
+        for (int b = 0; b < f.wall.boundary_count; ++b) least = std::min(least, distance(b));
+        EXPECT_NEAR(distance(f.wall.group[q]), least, 1e-12);
+    }
+}
+
+TEST(NeighboursTest, FindsEveryPairThatBruteForceFinds) {
+    Filled f(15);
+    std::vector<int> row_length(f.soil.count, 0);
+    for (const PairBlock& block : f.n.blocks) {
+        for (int s = 0; s < slices_per_block; ++s) {
+            for (int e = block.offset[s]; e < block.offset[s + 1]; ++e) {
+                const int i = block.first_row + s * lanes + (e - block.offset[s]) % lanes;
+                if (block.stiffness[e] > 0.0F && block.column[e] < f.n.first_boundary) ++row_length[i];
+            }
+        }
+    }
+    const double support = 2.0 * f.d.smoothing_length;
+    for (int i = 0; i < f.soil.count; ++i) {
+        int expected = 0;
+        for (int j = 0; j < f.soil.count; ++j) {
+            if (j != i && std::hypot(f.soil.x[i] - f.soil.x[j], f.soil.y[i] - f.soil.y[j]) < support) ++expected;
+        }
+        EXPECT_EQ(row_length[i], expected) << "particle " << i;
+    }
+}
+
+TEST(Operators, CorrectedGradientIsExactForALinearField) {
+    Filled f(15);
+    // v = (2x - 3y, 5x + y) vanishes nowhere on the wall, so only rows away from it are looked at.
+    std::vector<double> vx(f.n.nodes, 0.0);
+    std::vector<double> vy(f.n.nodes, 0.0);
+    for (int i = 0; i < f.soil.count; ++i) {
+        vx[i] = 2 * f.soil.x[i] - 3 * f.soil.y[i];
+        vy[i] = 5 * f.soil.x[i] + f.soil.y[i];
+    }
+    int checked = 0;
+    for (const PairBlock& block : f.n.blocks) {
+        for_each_velocity_gradient(block, f.soil.count, vx.data(), vy.data(), [&](int i, const VelocityGradient& plain) {
+            if (f.n.nearest_boundary[i] >= 0) return;
+            const VelocityGradient g = plain.corrected(&f.n.correction[4 * i]);
+            EXPECT_NEAR(g.xx, 2, 1e-5);
+            EXPECT_NEAR(g.xy, -3, 1e-5);
+            EXPECT_NEAR(g.yx, 5, 1e-5);
+            EXPECT_NEAR(g.yy, 1, 1e-5);
+            EXPECT_NEAR(g.spin(), 4, 1e-5);
+            ++checked;
+        });
+    }
+    EXPECT_GT(checked, 80);
+}
+
+TEST(Operators, PressureGradientIsMinusTheAdjointOfDivergence) {
+    Filled f(12);
+    std::vector<double> p(f.n.nodes, 0.0);
+    std::vector<double> vx(f.n.nodes, 0.0);
+    std::vector<double> vy(f.n.nodes, 0.0);
+    std::vector<double> gx(f.n.nodes, 0.0);
+    std::vector<double> gy(f.n.nodes, 0.0);
+    std::vector<double> divergence(f.n.nodes, 0.0);
+    for (int i = 0; i < f.n.nodes; ++i) p[i] = std::sin(12.9898 * i);
+    for (int i = 0; i < f.soil.count; ++i) {
+        vx[i] = std::sin(78.233 * i);
+        vy[i] = std::cos(39.425 * i);
+    }
+    for (const PairBlock& block : f.n.blocks) {
+        pressure_gradient(block, f.soil.count, p.data(), gx.data(), gy.data());
+        velocity_divergence(block, f.soil.count, vx.data(), vy.data(), divergence.data());
+    }
+    double left = 0.0;
+    double right = 0.0;
+    for (int i = 0; i < f.soil.count; ++i) {
+        left += gx[i] * vx[i] + gy[i] * vy[i];
+        right += p[i] * divergence[i];
+    }
+    for (int a = 0; a < f.n.active_count(); ++a) {
+        for (int k = f.n.boundary_start[a]; k < f.n.boundary_start[a + 1]; ++k) {
+            const BoundaryPair& pair = f.n.boundary_pairs[k];
+            right += p[f.n.first_boundary + a] * (vx[pair.soil] * pair.gx + vy[pair.soil] * pair.gy);
+        }
+    }
+    EXPECT_NEAR(left, -right, 1e-6 * std::abs(left));
+}
+
+TEST(Operators, InternalForcesAddUpToNothing) {
+    // A block in the air: no wall, so no momentum from anywhere.
+    Discretisation d = make_discretisation(spacing, 1.3, density);
+    Soil soil = lattice(11);
+    const Wall wall = make_wall(BedLine({{-1, -1}, {1, -1}}), d);
+    NeighbourSearch search(d, 1);
+    Neighbours n;
+    search.sort(soil);
+    search.find(soil, wall, n);
+    std::vector<double> sxx(n.nodes, 0.0);
+    std::vector<double> sxy(n.nodes, 0.0);
+    std::vector<double> fx(n.nodes, 0.0);
+    std::vector<double> fy(n.nodes, 0.0);
+    for (int i = 0; i < soil.count; ++i) {
+        sxx[i] = std::sin(3.0 * i);
+        sxy[i] = std::cos(7.0 * i);
+    }
+    double largest = 0.0;
+    for (const PairBlock& block : n.blocks) {
+        stress_divergence(block, soil.count, sxx.data(), sxy.data(), fx.data(), fy.data());
+    }
+    for (int i = 0; i < soil.count; ++i) largest = std::max(largest, std::abs(fx[i]));
+    EXPECT_NEAR(std::accumulate(fx.begin(), fx.end(), 0.0), 0.0, 1e-5 * largest);
+    EXPECT_NEAR(std::accumulate(fy.begin(), fy.end(), 0.0), 0.0, 1e-5 * largest);
+}
+
+TEST(PressureEquation, WeightOfAFilledBoxIsHydrostatic) {
+    Filled f(20);
+    PressureSolver solver(f.d, 9.81, 20 * spacing, 1e-6, 1);
+    const double dt = 1e-3;
+    std::vector<double> vx(f.n.nodes, 0.0);
+    std::vector<double> vy(f.n.nodes, 0.0);
+    for (int i = 0; i < f.soil.count; ++i) vy[i] = -9.81 * dt;
+    // Repeated with full memory the projection becomes exact: nothing is left of the velocity.
+    for (int pass = 0; pass < 60; ++pass) {
+        EXPECT_TRUE(solver.solve(f.n, f.soil, f.wall, vx, vy, {dt, 1.0, false}).converged);
+    }
+    const double full = density * 9.81 * 20 * spacing;
+    for (int i = 0; i < f.soil.count; ++i) {
+        EXPECT_NEAR(f.soil.pressure[i], density * 9.81 * (20 * spacing - f.soil.y[i]), 0.03 * full);
+    }
+}
+
+TEST(PressureEquation, IterationsDoNotGrowWithTheNumberOfParticles) {
+    const auto iterations = [](int cells) {
+        Filled f(cells);
+        PressureSolver solver(f.d, 9.81, cells * spacing, 1e-3, 1);
+        std::vector<double> vx(f.n.nodes, 0.0);
+        std::vector<double> vy(f.n.nodes, -9.81e-3);
+        std::fill(vy.begin() + f.soil.count, vy.end(), 0.0);
+        return solver.solve(f.n, f.soil, f.wall, vx, vy, {1e-3, 0.0, false}).iterations;
+    };
+    EXPECT_LE(iterations(20), 25);
+    EXPECT_LE(iterations(100), 25);
+}
+
+TEST(PackingTest, RectangleIsFilledExactly) {
+    const Scene scene = scenes::aluminium_column(21.9, 0.002);
+    const Packing packing = pack_source(scene.source, 0.002, 1.3);
+    EXPECT_EQ(packing.x.size(), 5000U);
+    EXPECT_NEAR(packing.spacing, 0.002, 1e-15);
+    EXPECT_NEAR(*std::min_element(packing.x.begin(), packing.x.end()), 0.001, 1e-12);
+    EXPECT_NEAR(*std::max_element(packing.y.begin(), packing.y.end()), 0.099, 1e-12);
+}
+
+TEST(PackingTest, MassOfATriangleIsExactAndNobodyIsSqueezed) {
+    const Scene scene = scenes::heap(25.0, 0.1, 30.0, 0.003);
+    const Packing packing = pack_source(scene.source, 0.003, 1.3);
+    EXPECT_NEAR(packing.spacing * packing.spacing * static_cast<double>(packing.x.size()), scene.source.area,
+                1e-12 * scene.source.area);
+    EXPECT_NEAR(packing.spacing, 0.003, 0.02 * 0.003);
+    const Discretisation d = make_discretisation(packing.spacing, 1.3, 2000);
+    Soil soil = soil_at(packing.x, packing.y);
+    const Wall wall = make_wall(BedLine(scene.source.bed), d);
+    NeighbourSearch search(d, 1);
+    Neighbours n;
+    search.sort(soil);
+    search.find(soil, wall, n);
+    for (int i = 0; i < soil.count; ++i) EXPECT_LT(n.density[i], 1.03);
+}
+
+}  // namespace
+}  // namespace runout

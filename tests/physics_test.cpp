@@ -1,0 +1,217 @@
+// Runs against exact mechanics, and properties that every run must have.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/simulation.h"
+#include "scenes.h"
+
+namespace runout {
+namespace {
+
+constexpr double g = 9.81;
+
+/// Mean velocity down the plane of the middle fifth of a slab, m/s.
+double slab_speed(const Simulation& simulation, int columns, int rows, double slope_deg) {
+    const StateView state = simulation.state();
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < state.x.size(); ++i) {
+        const int column = state.id[i] / rows;  // packing goes column by column
+        if (column < 2 * columns / 5 || column >= 3 * columns / 5) continue;
+        sum += state.vx[i] * std::cos(radians(slope_deg)) - state.vy[i] * std::sin(radians(slope_deg));
+        ++count;
+    }
+    return sum / count;
+}
+
+/// Greatest displacement since release, m.
+double greatest_displacement(const Simulation& simulation, const std::vector<Vec2>& start) {
+    const StateView state = simulation.state();
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < state.x.size(); ++i) {
+        greatest = std::max(greatest, (Vec2{state.x[i], state.y[i]} - start[state.id[i]]).norm());
+    }
+    return greatest;
+}
+
+std::vector<Vec2> positions_by_id(const Simulation& simulation) {
+    const StateView state = simulation.state();
+    std::vector<Vec2> positions(state.x.size());
+    for (std::size_t i = 0; i < state.x.size(); ++i) positions[state.id[i]] = {state.x[i], state.y[i]};
+    return positions;
+}
+
+class SlabTest : public testing::TestWithParam<double> {};
+
+// a = g (sin t - sin phi cos t) from the first instant: the run starts from an equilibrium state of stress.
+TEST_P(SlabTest, AcceleratesAsTheSinPhiRuleSays) {
+    constexpr int columns = 300;
+    constexpr int rows = 10;
+    const double slope = radians(GetParam());
+    const double exact = g * (std::sin(slope) - std::sin(radians(38.0)) * std::cos(slope));
+    Simulation simulation(scenes::slab(GetParam(), columns, rows, 38.0, 0.005));
+    double next = 0.0;
+    while (simulation.time() < 0.1) {
+        simulation.step();
+        if (simulation.time() < next) continue;
+        next += 0.01;
+        EXPECT_NEAR(slab_speed(simulation, columns, rows, GetParam()) / simulation.time(), exact, 0.03 * exact)
+            << "t = " << simulation.time();
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Slopes, SlabTest, testing::Values(45.0, 60.0, 70.0));
+
+TEST(Rest, SlabFlatterThanReposeStands) {
+    constexpr int columns = 100;
+    Simulation simulation(scenes::slab(25.0, columns, 10, 38.0, 0.005));
+    double next = 0.0;
+    while (simulation.time() < 0.3) {
+        simulation.step();
+        if (simulation.time() < next) continue;
+        next += 0.05;
+        // Under 1 % of what a frictionless slab would have reached.
+        EXPECT_LT(std::abs(slab_speed(simulation, columns, 10, 25.0)), 0.01 * g * std::sin(radians(25.0)) * 0.3);
+    }
+}
+
+TEST(Rest, ColumnBetweenWallsNeitherMovesNorLosesWeight) {
+    const Scene scene = scenes::silo(0.1, 0.1, 21.9, 0.005);
+    Simulation simulation(scene);
+    const std::vector<Vec2> start = positions_by_id(simulation);
+    const double weight = scene.material.density * g * scene.source.area;
+    while (simulation.status() == RunStatus::running && simulation.time() < 2.0) {
+        simulation.step();
+        ASSERT_NEAR(-simulation.bed_force().y(), weight, 0.02 * weight) << "t = " << simulation.time();
+    }
+    EXPECT_EQ(simulation.status(), RunStatus::stable);
+    EXPECT_LT(greatest_displacement(simulation, start), 0.5 * 0.005);
+}
+
+TEST(Rest, HeapBelowReposeStandsForThirtyFallTimes) {
+    // Repose of phi = 21.9 deg is 20.45 deg.
+    const double spacing = 0.0025;
+    Simulation simulation(scenes::heap(15.4, 0.1, 21.9, spacing));
+    const std::vector<Vec2> start = positions_by_id(simulation);
+    while (simulation.time() < 30.0 * std::sqrt(0.1 / g)) simulation.step();
+    EXPECT_LT(greatest_displacement(simulation, start), spacing);
+}
+
+TEST(Properties, PressureNeverPulls) {
+    Simulation simulation(scenes::aluminium_column(21.9, 0.008));
+    while (simulation.status() == RunStatus::running) {
+        simulation.step();
+        const StateView state = simulation.state();
+        for (std::size_t i = 0; i < state.x.size(); ++i) ASSERT_GE(state.pressure[i], 0.0);
+    }
+    EXPECT_EQ(simulation.status(), RunStatus::settled);
+}
+
+TEST(Properties, EnergyIsAccountedFor) {
+    Simulation simulation(scenes::aluminium_column(21.9, 0.004));
+    const EnergyBudget start = simulation.energy();
+    double least = start.potential;
+    while (simulation.status() == RunStatus::running) {
+        simulation.step();
+        const EnergyBudget now = simulation.energy();
+        // Mechanical energy may not rise by more than a thousandth of what there was.
+        EXPECT_LT(now.kinetic + now.potential, least + 0.001 * start.potential);
+        least = std::min(least, now.kinetic + now.potential);
+    }
+    const EnergyBudget end = simulation.energy();
+    const double lost = start.potential - end.kinetic - end.potential;
+    // What is lost went into friction and, for a small part, into the error of the projection; nothing else takes any.
+    EXPECT_NEAR(end.friction_work - end.pressure_work, lost, 0.01 * lost);
+    EXPECT_GT(end.friction_work, 0.9 * lost);
+}
+
+TEST(Properties, ParticlesAreNumberedOnceAndStayOutOfTheBed) {
+    Simulation simulation(scenes::box(70.0, 0.385, 0.003));
+    const std::size_t count = simulation.state().x.size();
+    while (simulation.status() == RunStatus::running) simulation.step();
+    EXPECT_EQ(simulation.status(), RunStatus::settled) << simulation.status_detail();
+    const StateView state = simulation.state();
+    ASSERT_EQ(state.x.size(), count);
+    std::vector<char> seen(count, 0);
+    for (const int id : state.id) seen[id] = 1;
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<long>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        EXPECT_GE(state.bed->nearest({state.x[i], state.y[i]}).distance, -1e-12);
+    }
+    EXPECT_LT(simulation.work().wall_guard_activations, simulation.work().steps / 100);
+}
+
+/// Final positions, to be compared bit by bit.
+std::vector<Vec2> final_positions(Scene scene, int threads, double until) {
+    scene.run.threads = threads;
+    Simulation simulation(scene);
+    while (simulation.status() == RunStatus::running && simulation.time() < until) simulation.step();
+    return positions_by_id(simulation);
+}
+
+TEST(Properties, OneThreadAndTwoGiveTheSameBits) {
+    const Scene scene = scenes::aluminium_column(21.9, 0.0025);
+    EXPECT_EQ(final_positions(scene, 1, 0.1), final_positions(scene, 2, 0.1));
+}
+
+TEST(Properties, AMirroredSectionGivesTheSameBits) {
+    const Scene scene = scenes::aluminium_column(21.9, 0.008);
+    const Scene mirrored = scenes::polygon({{-1.2, 0}, {0, 0}, {0, 0.2}}, {{0, 0}, {-0.2, 0}, {-0.2, 0.1}, {0, 0.1}},
+                                           21.9, 0.008);
+    EXPECT_EQ(final_positions(scene, 1, 10.0), final_positions(mirrored, 1, 10.0));
+}
+
+TEST(Properties, LengthAndGravityTimesTenChangeNothingButTheScale) {
+    const Scene scene = scenes::aluminium_column(21.9, 0.008);
+    Scene large = scenes::polygon({{0, 2}, {0, 0}, {12, 0}}, {{0, 0}, {2, 0}, {2, 1}, {0, 1}}, 21.9, 0.08);
+    large.run.gravity = 10.0 * g;
+    const std::vector<Vec2> a = final_positions(scene, 1, 10.0);
+    const std::vector<Vec2> b = final_positions(large, 1, 10.0);
+    double front_a = 0.0;
+    double front_b = 0.0;
+    for (const Vec2& p : a) front_a += p.x();
+    for (const Vec2& p : b) front_b += p.x();
+    EXPECT_NEAR(front_b / front_a, 10.0, 0.1);  // rounding decides single grains, not the mass
+}
+
+TEST(WorkCounts, ColumnStaysWithinItsBudget) {
+    Simulation simulation(scenes::aluminium_column(21.9, 0.004));
+    while (simulation.status() == RunStatus::running) simulation.step();
+    EXPECT_LT(simulation.work().steps, 1300);
+    EXPECT_LT(simulation.work().pressure_iterations, 10 * simulation.work().steps);
+    EXPECT_EQ(simulation.work().unconverged_solves, 0);
+}
+
+TEST(Endings, SoilThatPassesTheEndOfTheSectionIsSaid) {
+    Scene scene = scenes::polygon({{0, 0.2}, {0, 0}, {0.3, 0}}, {{0, 0}, {0.2, 0}, {0.2, 0.1}, {0, 0.1}}, 21.9, 0.008);
+    Simulation simulation(scene);
+    while (simulation.status() == RunStatus::running) simulation.step();
+    EXPECT_EQ(simulation.status(), RunStatus::left_section);
+    EXPECT_NE(simulation.status_detail().find("distal end"), std::string::npos);
+}
+
+TEST(Endings, TimeLimitIsSaid) {
+    Scene scene = scenes::aluminium_column(21.9, 0.008);
+    scene.run.time_limit = 0.1;
+    Simulation simulation(scene);
+    while (simulation.status() == RunStatus::running) simulation.step();
+    EXPECT_EQ(simulation.status(), RunStatus::time_limit);
+}
+
+TEST(ExplicitFriction, IsThePapersSchemeAndCreeps) {
+    Scene scene = scenes::heap(15.4, 0.1, 21.9, 0.005);
+    const auto drop = [](const Scene& s) {
+        Simulation simulation(s);
+        const double start = simulation.energy().potential;
+        while (simulation.time() < 1.0) simulation.step();
+        return (start - simulation.energy().potential) / start;
+    };
+    const double projected = drop(scene);
+    scene.run.friction = FrictionScheme::explicit_;
+    EXPECT_GT(drop(scene), 5.0 * std::abs(projected));
+}
+
+}  // namespace
+}  // namespace runout
