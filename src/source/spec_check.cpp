@@ -1,0 +1,158 @@
+#include "source/spec_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace runout {
+namespace {
+
+enum class Quantity { angle, size, elevation, ratio };
+
+struct KeyInfo {
+    SpecKey key;
+    const char* name;
+    Quantity quantity;
+    std::string_view types;  ///< one letter a type that uses it: r, A, B, C
+};
+
+constexpr std::array<KeyInfo, 8> known_keys{{
+    {&SourceSpec::base_angle, "source.base_angle_deg", Quantity::angle, "ABC"},
+    {&SourceSpec::scarp_angle, "source.scarp_angle_deg", Quantity::angle, "BC"},
+    {&SourceSpec::area, "source.area_m2", Quantity::size, "rABC"},
+    {&SourceSpec::height, "source.height_m", Quantity::size, "BC"},
+    {&SourceSpec::length, "source.length_m", Quantity::size, "rA"},
+    {&SourceSpec::thickness, "source.thickness_m", Quantity::size, "rA"},
+    {&SourceSpec::aspect, "source.aspect_ratio", Quantity::ratio, "rA"},
+    {&SourceSpec::drop_height, "source.drop_height_m", Quantity::elevation, "rABC"},
+}};
+
+const KeyInfo& info(SpecKey key) {
+    return *std::ranges::find(known_keys, key, &KeyInfo::key);
+}
+
+char letter(SourceType type) {
+    switch (type) {
+        case SourceType::rectangle:
+            return 'r';
+        case SourceType::a:
+            return 'A';
+        case SourceType::b:
+            return 'B';
+        case SourceType::c:
+            return 'C';
+        default:
+            return 'p';
+    }
+}
+
+bool takes_points(SourceType type) {
+    return type == SourceType::polygon || type == SourceType::slip_surface;
+}
+
+std::string keys_of(SourceType type) {
+    if (takes_points(type)) return "source.points";
+    std::string list;
+    for (const KeyInfo& k : known_keys)
+        if (k.types.find(letter(type)) != std::string_view::npos)
+            list += fmt::format("{}{}", list.empty() ? "" : ", ", k.name);
+    return list;
+}
+
+InputPlace place_of(const SourceSpec& spec, const std::string& key, const std::string& value) {
+    const auto found = spec.places.find(key);
+    InputPlace place = found != spec.places.end() ? found->second : InputPlace{};
+    place.key = key;
+    if (place.value.empty()) place.value = value;
+    return place;
+}
+
+std::string as_written(const SourceSpec& spec, const KeyInfo& k) {
+    const double value = spec.*k.key;
+    if (!given(value)) return "";
+    return figure(k.quantity == Quantity::angle ? degrees(value) : value);
+}
+
+void check_range(const SourceSpec& spec, const KeyInfo& k) {
+    const double value = spec.*k.key;
+    switch (k.quantity) {
+        case Quantity::angle:
+            if (!(value >= 0 && value <= radians(90)))
+                refuse(spec, k.key, "is out of range", "give degrees from 0 to 90");
+            return;
+        case Quantity::elevation:
+            if (!(value >= 0 && std::isfinite(value)))
+                refuse(spec, k.key, "is out of range", "give metres above the toe, 0 or more");
+            return;
+        case Quantity::size:
+        case Quantity::ratio:
+            if (!(value > 0 && std::isfinite(value)))
+                refuse(spec, k.key, "is out of range", "give a number greater than 0");
+    }
+}
+
+void check_points(const SourceSpec& spec) {
+    const std::string type = to_string(spec.type);
+    if (!takes_points(spec.type)) {
+        if (!spec.points.empty())
+            refuse(spec, "source.points", "is not used by a source of type " + type,
+                   fmt::format("leave it out; this type takes {}", keys_of(spec.type)));
+        return;
+    }
+    const std::size_t least = spec.type == SourceType::polygon ? 3 : 2;
+    if (spec.points.size() < least)
+        refuse(spec, "source.points", fmt::format("has {} points", spec.points.size()),
+               fmt::format("a {} needs at least {} of [chainage, elevation]", type, least));
+    for (const Vec2& p : spec.points)
+        if (!p.allFinite())
+            refuse(spec, "source.points", "has a coordinate that is not finite",
+                   "give metres, such as [12.5, 3.0]");
+}
+
+}  // namespace
+
+void check_spec(const SourceSpec& spec) {
+    for (const KeyInfo& k : known_keys) {
+        if (!given(spec.*k.key)) continue;
+        if (k.types.find(letter(spec.type)) == std::string_view::npos)
+            refuse(spec, k.key, "is not used by a source of type " + to_string(spec.type),
+                   fmt::format("leave it out; this type takes {}", keys_of(spec.type)));
+        check_range(spec, k);
+    }
+    check_points(spec);
+    if (!(spec.discontinuity_angle > 0 && spec.discontinuity_angle <= radians(90)))
+        throw InputError(
+            place_of(spec, "source.discontinuity_angle_deg", figure(degrees(spec.discontinuity_angle))),
+            "is out of range", "give degrees above 0 and up to 90");
+    if (spec.scarp_angle <= spec.base_angle)
+        refuse(spec, &SourceSpec::scarp_angle, "is not steeper than the base",
+               fmt::format("give more than {} and at most 90 degrees", figure(degrees(spec.base_angle))));
+}
+
+double required(const SourceSpec& spec, SpecKey key, const std::string& valid) {
+    if (!given(spec.*key))
+        refuse(spec, key, "is missing for a source of type " + to_string(spec.type), valid);
+    return spec.*key;
+}
+
+void refuse(const SourceSpec& spec, SpecKey key, const std::string& problem, const std::string& valid) {
+    const KeyInfo& k = info(key);
+    throw InputError(place_of(spec, k.name, as_written(spec, k)), problem, valid);
+}
+
+void refuse(const SourceSpec& spec, const std::string& key, const std::string& problem,
+            const std::string& valid) {
+    throw InputError(place_of(spec, key, ""), problem, valid);
+}
+
+bool agree(double a, double b) {
+    return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b));
+}
+
+std::string figure(double value) {
+    return fmt::format("{:.6g}", value);
+}
+
+}  // namespace runout

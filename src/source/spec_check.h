@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "source/source.h"
+
+namespace runout {
+
+/// A number of the SourceSpec that a case file may give.
+using SpecKey = double SourceSpec::*;
+
+inline bool given(double value) {
+    return !std::isnan(value);
+}
+
+/// Throws InputError: a key that the type does not use, a number outside its range, points where none belong
+/// or none where they do, a scarp not steeper than the base.
+void check_spec(const SourceSpec& spec);
+
+/// The value of a key that the type cannot do without. Throws InputError when it is not given.
+double required(const SourceSpec& spec, SpecKey key, const std::string& valid);
+
+/// Throws the InputError that names the key, its place and its value as the user gave it.
+[[noreturn]] void refuse(const SourceSpec& spec, SpecKey key, const std::string& problem,
+                         const std::string& valid);
+/// The same for a key that is not a number: "source.points", "source.type".
+[[noreturn]] void refuse(const SourceSpec& spec, const std::string& key, const std::string& problem,
+                         const std::string& valid);
+
+/// Two statements of one quantity agree when they differ by no more than the rounding of a decimal.
+bool agree(double a, double b);
+
+/// A figure for an error message.
+std::string figure(double value);
+
+}  // namespace runout

@@ -1,0 +1,364 @@
+#include "profile/profile.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "core/input_error.h"
+#include "core/units.h"
+
+using namespace runout;
+
+namespace {
+
+std::string error_of(const auto& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+Profile profile_of(const std::vector<Vec2>& points, const ProfileOptions& options = {}) {
+    return make_profile(points, {}, "section.csv", options);
+}
+
+const std::vector<Vec2> cut{{0, 32}, {30, 32}, {41.5, 12}, {200, 12}};
+
+/// Files in a directory of their own, removed afterwards.
+class ProfileFiles : public testing::Test {
+  protected:
+    void SetUp() override {
+        directory_ =
+            std::filesystem::temp_directory_path() /
+            (std::string("runout_profile_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+        std::filesystem::remove_all(directory_);
+        std::filesystem::create_directories(directory_);
+    }
+    void TearDown() override { std::filesystem::remove_all(directory_); }
+
+    std::string write(const std::string& name, const std::string& text) const {
+        std::ofstream(path(name), std::ios::binary) << text;
+        return path(name);
+    }
+    [[nodiscard]] std::string path(const std::string& name) const { return (directory_ / name).string(); }
+
+    [[nodiscard]] std::string csv_error(const std::string& text) const {
+        return error_of([&] { read_profile_csv(write("section.csv", text), {}); });
+    }
+    [[nodiscard]] std::string dem_error(const DemLine& dem) const {
+        return error_of([&] { read_profile_dem(dem, {}); });
+    }
+
+  private:
+    std::filesystem::path directory_;
+};
+
+// ---- the local frame
+
+TEST(Profile, PutsTheToeAtTheOriginAndRunsOutTowardsPlusX) {
+    const Profile p = profile_of(cut);
+    const Polyline expected{{-41.5, 20}, {-11.5, 20}, {0, 0}, {158.5, 0}};
+    EXPECT_EQ(p.ground, expected);
+    EXPECT_EQ(p.crest, 1u);
+    EXPECT_EQ(p.toe, 2u);
+    EXPECT_EQ(p.toe_chainage_m, 41.5);
+    EXPECT_EQ(p.toe_elevation_m, 12);
+    EXPECT_TRUE(p.descends_with_chainage);
+    EXPECT_DOUBLE_EQ(p.slope_angle(), std::atan2(20.0, 11.5));
+    EXPECT_EQ(p.to_section({0, 0}), Vec2(41.5, 12));
+    EXPECT_EQ(p.to_local({0, 32}), Vec2(-41.5, 20));
+}
+
+TEST(Profile, MirroredSectionHasTheSameLocalGroundToTheBit) {
+    // Awkward decimals: an operation in another order would show in the last digit.
+    const std::vector<Vec2> section{{0.1, 17.3}, {3.7, 16.9}, {11.3, 1.7}, {11.3, 0.3}, {50.9, 0.1}};
+    std::vector<Vec2> mirrored;
+    for (auto p = section.rbegin(); p != section.rend(); ++p) mirrored.emplace_back(-p->x(), p->y());
+    ProfileOptions inserted;
+    inserted.toe_chainage_m = 20.3;
+    inserted.crest_chainage_m = 5.1;
+    ProfileOptions inserted_mirrored;
+    inserted_mirrored.toe_chainage_m = -20.3;
+    inserted_mirrored.crest_chainage_m = -5.1;
+
+    EXPECT_EQ(profile_of(section).ground, profile_of(mirrored).ground);
+    const Profile a = profile_of(section, inserted);
+    const Profile b = profile_of(mirrored, inserted_mirrored);
+    EXPECT_EQ(a.ground, b.ground);
+    EXPECT_EQ(a.toe, b.toe);
+    EXPECT_EQ(a.crest, b.crest);
+    EXPECT_TRUE(a.descends_with_chainage);
+    EXPECT_FALSE(b.descends_with_chainage);
+    EXPECT_EQ(a.to_section({2, 1}).x(), -b.to_section({2, 1}).x());
+    EXPECT_LT((b.to_local(b.to_section({2, 1})) - Vec2(2, 1)).norm(), 1e-14);
+}
+
+TEST(Profile, MapGridChainagesLoseNothing) {
+    std::vector<Vec2> far = cut;
+    for (Vec2& p : far) p.x() += 8.3e5;
+    const Profile p = profile_of(far);
+    const Profile near = profile_of(cut);
+    ASSERT_EQ(p.ground.size(), near.ground.size());
+    for (std::size_t i = 0; i < p.ground.size(); ++i)
+        EXPECT_EQ(p.ground[i], near.ground[i]);  // 41.5 is exact at 8.3e5
+}
+
+// ---- toe and crest
+
+TEST(Profile, BermAndWallBelongToTheCut) {
+    const Profile berm = profile_of({{0, 41}, {30, 35}, {36, 25}, {39, 24.9}, {45, 15}, {200, 15}});
+    EXPECT_EQ(berm.crest, 1u);
+    EXPECT_EQ(berm.toe, 4u);
+    const Profile wall = profile_of({{0, 32}, {30, 32}, {39, 16}, {39, 12}, {200, 12}});
+    EXPECT_EQ(wall.crest, 1u);
+    EXPECT_EQ(wall.toe, 3u);
+}
+
+TEST(Profile, ThresholdIsHalfOfTheSteepestAndAtLeast15Degrees) {
+    // Steepest 45 deg: 24 deg belongs to the face, 20 deg does not.
+    const double slope_24 = std::tan(radians(24));
+    const double slope_20 = std::tan(radians(20));
+    EXPECT_EQ(profile_of({{0, 10 + 10 * slope_24}, {10, 10}, {20, 0}, {40, 0}}).crest, 0u);
+    EXPECT_EQ(profile_of({{0, 10 + 10 * slope_20}, {10, 10}, {20, 0}, {40, 0}}).crest, 1u);
+    // Steepest 14 deg: no face at all.
+    const Profile gentle = profile_of({{0, 20 * std::tan(radians(14))}, {20, 0}, {40, 0}});
+    EXPECT_EQ(gentle.crest, 0u);
+    EXPECT_EQ(gentle.toe, 0u);
+    EXPECT_EQ(gentle.slope_angle(), 0);
+}
+
+TEST(Profile, SectionThatBeginsAtAWall) {
+    const Profile p = profile_of({{0, 0.15}, {0, 0}, {1, 0}});
+    EXPECT_EQ(p.crest, 0u);
+    EXPECT_EQ(p.toe, 1u);
+    EXPECT_EQ(p.ground.front(), Vec2(0, 0.15));
+    EXPECT_DOUBLE_EQ(p.slope_angle(), radians(90));
+}
+
+TEST(Profile, FlatBedHasToeAndCrestAtItsUphillEnd) {
+    const Profile p = profile_of({{2, 5}, {3, 5}});
+    EXPECT_TRUE(p.descends_with_chainage);
+    EXPECT_EQ(p.toe, 0u);
+    EXPECT_EQ(p.crest, 0u);
+    EXPECT_EQ(p.ground.front(), Vec2(0, 0));
+}
+
+TEST(Profile, GivenToeAndCrestReplaceTheSearchAndAreInserted) {
+    ProfileOptions options;
+    options.crest_chainage_m = 10;
+    options.toe_chainage_m = 35.75;
+    const Profile p = profile_of(cut, options);
+    ASSERT_EQ(p.ground.size(), 6u);
+    EXPECT_EQ(p.crest, 1u);
+    EXPECT_EQ(p.toe, 3u);
+    EXPECT_EQ(p.ground[p.toe], Vec2(0, 0));
+    EXPECT_DOUBLE_EQ(p.toe_elevation_m, 22);  // half-way down the face
+    EXPECT_EQ(p.ground[p.crest], Vec2(-25.75, 10));
+}
+
+TEST(Profile, GivenToeAndCrestDecideTheDirection) {
+    ProfileOptions options;
+    options.crest_chainage_m = 20;
+    options.toe_chainage_m = 10;
+    const Profile p = profile_of({{0, 0}, {10, 0}, {20, 10}, {30, 10}, {60, -5}}, options);
+    EXPECT_FALSE(p.descends_with_chainage);
+    EXPECT_EQ(p.ground[p.crest], Vec2(-10, 10));
+}
+
+TEST(Profile, OnAVerticalFaceTheToeIsBelowAndTheCrestAbove) {
+    ProfileOptions options;
+    options.crest_chainage_m = 39;
+    options.toe_chainage_m = 39;
+    const Profile p = profile_of({{0, 32}, {30, 32}, {39, 16}, {39, 12}, {200, 12}}, options);
+    EXPECT_EQ(p.ground[p.crest], Vec2(0, 4));
+    EXPECT_EQ(p.ground[p.toe], Vec2(0, 0));
+}
+
+TEST(Profile, InnerPointsOfAVerticalFaceAreDropped) {
+    const Profile p = profile_of({{0, 3}, {0, 2}, {0, 1}, {0, 0}, {5, 0}});
+    const Polyline expected{{0, 3}, {0, 0}, {5, 0}};
+    EXPECT_EQ(p.ground, expected);
+}
+
+TEST(Profile, RefusesWhatIsNoSection) {
+    EXPECT_PRED2(contains, error_of([] { profile_of({}); }), "has no points");
+    EXPECT_PRED2(contains, error_of([] { profile_of({{0, 0}}); }), "one point only");
+    EXPECT_PRED2(contains, error_of([] { profile_of({{0, 3}, {1, 2}, {0.5, 1}}); }), "overhang");
+    EXPECT_PRED2(contains, error_of([] {
+                     profile_of({{0, 3}, {0, 3}, {1, 1}});
+                 }),
+                 "repeats the point before it");
+    EXPECT_PRED2(contains, error_of([] {
+                     profile_of({{0, 3}, {0, 1}, {0, 2}, {1, 1}});
+                 }),
+                 "goes up and down at the chainage 0");
+    EXPECT_PRED2(contains, error_of([] { profile_of({{0, 3}, {1, 5}, {2, 3}}); }), "descends neither way");
+    EXPECT_PRED2(contains, error_of([] {
+                     profile_of({{0, 3}, {1, std::nan("")}, {2, 0}});
+                 }),
+                 "not a finite number");
+    EXPECT_PRED2(contains, error_of([] { profile_of({{0, 3}, {INFINITY, 1}}); }), "not a finite number");
+}
+
+TEST(Profile, RefusesToeOrCrestBesideTheSection) {
+    ProfileOptions options;
+    options.toe_chainage_m = 201;
+    EXPECT_PRED2(contains, error_of([&] { profile_of(cut, options); }),
+                 "section.csv: section.toe_chainage_m = 201: is not on the section; give a chainage between "
+                 "0 and 200");
+    options = {};
+    options.crest_chainage_m = -1;
+    std::vector<Vec2> mirrored;
+    for (auto p = cut.rbegin(); p != cut.rend(); ++p) mirrored.emplace_back(300 - p->x(), p->y());
+    EXPECT_PRED2(contains, error_of([&] { profile_of(mirrored, options); }),
+                 "section.crest_chainage_m = -1: is not on the section; give a chainage between 100 and 300");
+}
+
+// ---- CSV
+
+TEST_F(ProfileFiles, CsvReadsColumnsByNameCommentsBlanksBomAndCrlf) {
+    const Profile plain = read_profile_csv(write("a.csv", "chainage_m,elevation_m\n0,2\n2,0\n5,0\n"), {});
+    const Profile other = read_profile_csv(write("b.csv",
+                                                 "\xEF\xBB\xBF# surveyed\r\n\r\n elevation_m , "
+                                                 "\"chainage_m\"\r\n2,0 # crest\r\n+0.0, 2e0\r\n\r\n0,5"),
+                                           {});
+    EXPECT_EQ(plain.ground, other.ground);
+    EXPECT_EQ(plain.origin, path("a.csv"));
+}
+
+TEST_F(ProfileFiles, CsvErrorsNameFileLineColumnAndValue) {
+    const std::string header = "chainage_m,elevation_m\n";
+    const std::string error = csv_error("# c\n" + header + "0,2\n\n1,2m\n");
+    EXPECT_EQ(error,
+              path("section.csv") + ", line 5: elevation_m = 2m: is not a number; give metres, such as 12.5");
+    EXPECT_PRED2(contains, csv_error(""), "is empty");
+    EXPECT_PRED2(contains, csv_error("# only a comment\n\n"), "is empty");
+    EXPECT_PRED2(contains, csv_error(header), "line 1: has a header but no points");
+    EXPECT_PRED2(contains, csv_error(header + "0,2\n"), "line 2: has one point only");
+    EXPECT_PRED2(contains, csv_error(header + "0,2\n,1\n"), "line 3: chainage_m: is empty");
+    EXPECT_PRED2(contains, csv_error(header + "0,nan\n1,0\n"),
+                 "line 2: elevation_m = nan: is not a finite number");
+    EXPECT_PRED2(contains, csv_error(header + "0,2\ninf,0\n"),
+                 "line 3: chainage_m = inf: is not a finite number");
+    EXPECT_PRED2(contains, csv_error(header + "0,1e999\n1,0\n"), "is not a finite number");
+    EXPECT_PRED2(contains, csv_error(header + "0,2\n1,0,7\n"), "line 3: has 3 fields");
+    EXPECT_PRED2(contains, csv_error(header + "0,2\n1\n"), "line 3: has 1 field;");
+    EXPECT_PRED2(contains, csv_error(header + "0,2\n1;0\n"), "line 3: has 1 field;");
+    EXPECT_PRED2(contains, csv_error("chainage_m,height\n0,2\n"),
+                 "line 1: column = height: is not a known column");
+    EXPECT_PRED2(contains, csv_error("0,2\n1,0\n"), "line 1: column = 0: is not a known column");
+    EXPECT_PRED2(contains, csv_error("chainage_m,chainage_m\n0,2\n"), "stands twice");
+    EXPECT_PRED2(contains, csv_error("chainage_m\n0\n"), "elevation_m is missing");
+    EXPECT_PRED2(contains, csv_error(header + "0,2\n3,1\n2,0\n"),
+                 "line 4: chainage_m = 2: goes back behind 3");
+    EXPECT_PRED2(contains, csv_error(header + "0,2\n3,1\n3,1\n"),
+                 "line 4: chainage_m = 3: repeats the point before it");
+    EXPECT_PRED2(contains, error_of([&] { read_profile_csv(path("none.csv"), {}); }),
+                 "none.csv: does not exist");
+    EXPECT_PRED2(contains, error_of([&] {
+                     read_profile_csv(std::filesystem::path(path("x")).parent_path().string(), {});
+                 }),
+                 "is a directory");
+}
+
+TEST(Profile, ShippedSectionsAreCutsWithRoomToRunOut) {
+    int sections = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(RUNOUT_SOURCE_DIR "/profiles")) {
+        if (entry.path().extension() != ".csv") continue;
+        SCOPED_TRACE(entry.path().string());
+        ++sections;
+        const Profile p = read_profile_csv(entry.path().string(), {});
+        const double height = p.ground[p.crest].y();
+        EXPECT_GT(height, 0);
+        EXPECT_GE(p.ground.back().x(), (entry.path().stem().string().starts_with("cut") ? 6 : 3) * height);
+    }
+    EXPECT_GE(sections, 10);
+}
+
+// ---- DEM: a plane z = 100 + 2 column + row on cells of 10 m; bilinear interpolation is exact on it
+
+std::string plane_raster(const std::string& hole = "") {
+    std::string text =
+        "ncols 11\nnrows 5\nxllcorner 499950\nyllcorner -20\ncellsize 10\nNODATA_value -9999\n";
+    for (int row = 0; row < 5; ++row)
+        for (int column = 0; column < 11; ++column) {
+            const bool gap = !hole.empty() && row == 2 && column == 5;
+            text +=
+                (gap ? hole : std::to_string(100 + 2 * column + row) + ".0") + (column == 10 ? "\n" : " ");
+        }
+    return text;
+}
+
+std::string geojson(const std::string& type, const std::string& coordinates) {
+    return R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":")" +
+           type + R"(","coordinates":)" + coordinates + "}}]}";
+}
+
+TEST_F(ProfileFiles, DemIsSampledBilinearlyAlongTheLine) {
+    const DemLine dem{write("z.asc", plane_raster()),
+                      write("line.geojson", geojson("LineString", "[[499960,5],[500040,5]]")), 7};
+    const Profile p = read_profile_dem(dem, {});
+    ASSERT_EQ(p.ground.size(), 13u);  // 80 m in 12 steps of no more than 7 m
+    EXPECT_FALSE(p.descends_with_chainage);
+    for (std::size_t i = 0; i < p.ground.size(); ++i) {
+        const Vec2 at = p.to_section(p.ground[i]);
+        const double column = (at.x() + 10) / 10 - 0.5;     // first point 10 m from the raster's left edge
+        EXPECT_NEAR(at.y(), 100 + 2 * column + 2.0, 1e-9);  // y = 5: the centre of row 2
+        EXPECT_NEAR(at.x(), 80.0 - 80.0 * static_cast<double>(i) / 12, 1e-9);
+    }
+    EXPECT_PRED2(contains, p.origin, "line.geojson");
+}
+
+TEST_F(ProfileFiles, DemWithoutSamplingTakesHalfACell) {
+    const DemLine dem{write("z.asc", plane_raster()),
+                      write("line.geojson", geojson("LineString", "[[499960,5],[500040,5]]")), 0};
+    EXPECT_EQ(read_profile_dem(dem, {}).ground.size(), 17u);
+}
+
+TEST_F(ProfileFiles, DemBringsTheLineToTheRaster) {
+    // Degrees on the central meridian of UTM zone 50N, whose scale is 0.9996: 1e-4 deg of longitude at the
+    // equator.
+    write(
+        "z.prj",
+        R"(PROJCS["WGS 84 / UTM zone 50N",GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],PARAMETER["latitude_of_origin",0],PARAMETER["central_meridian",117],PARAMETER["scale_factor",0.9996],PARAMETER["false_easting",500000],PARAMETER["false_northing",0],UNIT["metre",1]])");
+    const DemLine dem{write("z.asc", plane_raster()),
+                      write("line.geojson", geojson("LineString", "[[117.0,0.00001],[117.0002,0.00001]]")),
+                      0};
+    const Profile p = read_profile_dem(dem, {});
+    EXPECT_NEAR(p.ground.back().x() - p.ground.front().x(), 6378137 * 0.9996 * radians(0.0002), 1e-3);
+    EXPECT_NEAR(p.to_section(p.ground.back()).y(), 100 + 2 * 4.5 + (30 - 1.1057) / 10 - 0.5, 0.01);
+}
+
+TEST_F(ProfileFiles, DemErrors) {
+    const std::string raster = write("z.asc", plane_raster());
+    const std::string line = write("line.geojson", geojson("LineString", "[[499960,5],[500040,5]]"));
+    EXPECT_PRED2(contains, dem_error({path("none.tif"), line, 0}), "none.tif: cannot be opened");
+    EXPECT_PRED2(contains, dem_error({raster, path("none.geojson"), 0}), "none.geojson: cannot be opened");
+    EXPECT_PRED2(contains, dem_error({line, line, 0}), "line.geojson: cannot be opened");
+    EXPECT_PRED2(contains, dem_error({raster, write("p.geojson", geojson("Point", "[499960,5]")), 0}),
+                 "POINT: is not a line");
+    EXPECT_PRED2(contains,
+                 dem_error({raster, write("o.geojson", geojson("LineString", "[[499960,5],[500140,5]]")), 0}),
+                 "lies outside the raster");
+    EXPECT_PRED2(contains,
+                 dem_error({raster, write("0.geojson", geojson("LineString", "[[499960,5],[499960,5]]")), 0}),
+                 "has no length");
+    EXPECT_PRED2(contains, dem_error({write("hole.asc", plane_raster("-9999")), line, 0}),
+                 "crosses a cell without data");
+    EXPECT_PRED2(contains, dem_error({write("nan.asc", plane_raster("nan")), line, 0}),
+                 "crosses a cell without data");
+    EXPECT_PRED2(contains, dem_error({raster, line, -1}), "section.sampling_m = -1: is not a distance");
+    EXPECT_PRED2(contains,
+                 dem_error({raster, write("e.geojson", R"({"type":"FeatureCollection","features":[]})"), 0}),
+                 "has no feature");
+}
+
+}  // namespace
