@@ -3,35 +3,11 @@
 #include <array>
 #include <cmath>
 
+#include "engine/pair_row.h"
 #include "engine/parallel.h"
 
 namespace runout {
 namespace {
-
-struct Entry {
-    int column = 0;
-    float gx = 0, gy = 0, stiffness = 0;
-};
-
-/// One row while it is collected: soil entries, wall entries and the sums that come with them.
-struct Row {
-    std::vector<Entry> entries;
-    std::vector<WallPair> wall;
-    double kernel_sum = 0, stiffness_sum = 0;
-    double surface_x = 0, surface_y = 0;
-    double moment[4] = {};
-    int nearest_boundary = -1;
-    double nearest2 = 1e300;
-
-    void clear() {
-        entries.clear();
-        wall.clear();
-        kernel_sum = stiffness_sum = surface_x = surface_y = 0;
-        for (double& m : moment) m = 0;
-        nearest_boundary = -1;
-        nearest2 = 1e300;
-    }
-};
 
 /// Inverse of the moment matrix; the identity for a particle too lonely to have a gradient.
 void invert_moment(const double* m, double* inverse) {
@@ -48,65 +24,35 @@ void invert_moment(const double* m, double* inverse) {
     inverse[3] = m[0] / det;
 }
 
-WallPair& wall_pair(Row& row, int boundary) {
-    for (WallPair& pair : row.wall) {
-        if (pair.boundary == boundary) return pair;
+void write_row(PairBlock& block, const PairRow& row, int row_number, std::size_t first) {
+    std::size_t slot = first;
+    for (int k = 0; k < row.soil.count; ++k, slot += lanes) {
+        block.column[slot] = row.soil.column[k];
+        block.gx[slot] = static_cast<float>(row.soil.gx[k]);
+        block.gy[slot] = static_cast<float>(row.soil.gy[k]);
+        block.stiffness[slot] = static_cast<float>(row.soil.stiffness[k]);
     }
-    row.wall.emplace_back();
-    row.wall.back().boundary = boundary;
-    return row.wall.back();
+    for (WallPair pair : row.merged) {
+        pair.slot = static_cast<int>(slot);
+        pair.row = row_number;
+        block.wall_pairs.push_back(pair);
+        block.gx[slot] = pair.gx;
+        block.gy[slot] = pair.gy;
+        block.stiffness[slot] = pair.stiffness;
+        slot += lanes;
+    }
 }
 
-/// Geometry of one pair, added to the row's sums.
-struct Pair {
-    double r2, gx, gy, stiffness, kernel;
-};
-
-Pair add_pair(Row& row, const WendlandKernel& kernel, const Discretisation& d, double dx, double dy, double r2) {
-    const double r = std::sqrt(r2);
-    const double slope = kernel.slope(r);
-    const double f = slope * d.volume();
-    const Pair pair{r2, f * dx, f * dy, d.stiffness(slope, r2), kernel.value(r)};
-    row.kernel_sum += pair.kernel;
-    row.stiffness_sum += pair.stiffness;
-    row.surface_x += pair.gx;
-    row.surface_y += pair.gy;
-    row.moment[0] -= dx * pair.gx;
-    row.moment[1] -= dx * pair.gy;
-    row.moment[2] -= dy * pair.gx;
-    row.moment[3] -= dy * pair.gy;
-    return pair;
-}
-
-void write_slice(PairBlock& block, int slice, std::array<Row, lanes>& rows) {
+void write_slice(PairBlock& block, int slice, const std::array<PairRow, lanes>& rows) {
     std::size_t width = 0;
-    for (Row& row : rows) {
-        for (WallPair& w : row.wall) row.entries.push_back({0, w.gx, w.gy, w.stiffness});
-        width = std::max(width, row.entries.size());
-    }
+    for (const PairRow& row : rows) width = std::max(width, row.size());
     const std::size_t first = block.column.size();
     const std::size_t last = first + width * lanes;
     block.column.resize(last, 0);
     block.gx.resize(last, 0.0F);
     block.gy.resize(last, 0.0F);
     block.stiffness.resize(last, 0.0F);
-    for (int l = 0; l < lanes; ++l) {
-        Row& row = rows[l];
-        const std::size_t walls_from = row.entries.size() - row.wall.size();
-        for (std::size_t k = 0; k < row.entries.size(); ++k) {
-            const std::size_t slot = first + k * lanes + l;
-            block.column[slot] = row.entries[k].column;
-            block.gx[slot] = row.entries[k].gx;
-            block.gy[slot] = row.entries[k].gy;
-            block.stiffness[slot] = row.entries[k].stiffness;
-            if (k >= walls_from) {
-                WallPair& pair = row.wall[k - walls_from];
-                pair.slot = static_cast<int>(slot);
-                pair.row = block.first_row + slice * lanes + l;
-                block.wall_pairs.push_back(pair);
-            }
-        }
-    }
+    for (int l = 0; l < lanes; ++l) write_row(block, rows[l], block.first_row + slice * lanes + l, first + l);
     block.offset[slice + 1] = static_cast<int>(last);
 }
 
@@ -150,7 +96,7 @@ void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
 }
 
 void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours& n, int b) const {
-    thread_local std::array<Row, lanes> rows;
+    thread_local std::array<PairRow, lanes> rows;
     PairBlock& block = n.blocks[b];
     block.first_row = b * rows_per_block;
     block.column.clear();
@@ -158,50 +104,13 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
     block.gy.clear();
     block.stiffness.clear();
     block.wall_pairs.clear();
-    const double support2 = kernel_.support() * kernel_.support();
     for (int slice = 0; slice < slices_per_block; ++slice) {
         for (int l = 0; l < lanes; ++l) {
-            Row& row = rows[l];
+            PairRow& row = rows[l];
             row.clear();
             const int i = block.first_row + slice * lanes + l;
             if (i >= soil.count) continue;
-            const double x = soil.x[i];
-            const double y = soil.y[i];
-            row.kernel_sum = kernel_.value(0.0);
-            grid_.around(x, y, [&](int first, int last) {
-                for (int j = first; j < last; ++j) {
-                    const double dx = x - soil.x[j];
-                    const double dy = y - soil.y[j];
-                    const double r2 = dx * dx + dy * dy;
-                    if (r2 >= support2 || j == i) continue;
-                    const Pair p = add_pair(row, kernel_, discretisation_, dx, dy, r2);
-                    row.entries.push_back({j, static_cast<float>(p.gx), static_cast<float>(p.gy),
-                                           static_cast<float>(p.stiffness)});
-                }
-            });
-            wall.grid.around(x, y, [&](int first, int last) {
-                for (int k = first; k < last; ++k) {
-                    const int q = wall.order[k];
-                    const double dx = x - wall.x[q];
-                    const double dy = y - wall.y[q];
-                    const double r2 = dx * dx + dy * dy;
-                    if (r2 >= support2) continue;
-                    const Pair p = add_pair(row, kernel_, discretisation_, dx, dy, r2);
-                    WallPair& pair = wall_pair(row, wall.group[q]);
-                    pair.gx += static_cast<float>(p.gx);
-                    pair.gy += static_cast<float>(p.gy);
-                    pair.stiffness += static_cast<float>(p.stiffness);
-                    if (r2 < row.nearest2) {
-                        row.nearest2 = r2;
-                        row.nearest_boundary = wall.group[q];
-                    }
-                    if (q != wall.group[q]) continue;
-                    pair.own = true;
-                    pair.own_gx = static_cast<float>(p.gx);
-                    pair.own_gy = static_cast<float>(p.gy);
-                    pair.own_kernel = p.kernel;
-                }
-            });
+            find_pair_row(grid_, discretisation_, soil, wall, i, row);
             n.density[i] = row.kernel_sum / discretisation_.lattice_sum;
             n.stiffness_sum[i] = row.stiffness_sum;
             n.surface_x[i] = row.surface_x;
