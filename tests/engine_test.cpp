@@ -1,4 +1,5 @@
-// The engine's parts against exact values: kernel, bed line, wall, pairs, operators, packing, pressure equation.
+// The engine's parts against exact values: kernel, bed line, wall, pairs, operators, packing, pressure
+// equation.
 
 #include <gtest/gtest.h>
 
@@ -83,7 +84,8 @@ TEST(Kernel, SlopeIsItsDerivative) {
 
 TEST(Kernel, LatticeSumAtTheDefaultSmoothingRatio) {
     const Discretisation d = make_discretisation(spacing, 1.3, density);
-    EXPECT_NEAR(d.lattice_sum * d.volume(), 1.0105, 5e-5);  // the quadrature error that densities are scaled by
+    EXPECT_NEAR(d.lattice_sum * d.volume(), 1.0105,
+                5e-5);  // the quadrature error that densities are scaled by
 }
 
 TEST(BedLineTest, SignedDistanceAtSegmentsAndCorners) {
@@ -112,7 +114,9 @@ TEST(WallTest, StandsHalfASpacingBehindTheLineAndFillsTheLattice) {
 TEST(WallTest, EveryDummyHasItsNearestBoundaryParticle) {
     const Filled f(12);
     for (int q = f.wall.boundary_count; q < f.wall.size(); ++q) {
-        const auto distance = [&](int b) { return std::hypot(f.wall.x[q] - f.wall.x[b], f.wall.y[q] - f.wall.y[b]); };
+        const auto distance = [&](int b) {
+            return std::hypot(f.wall.x[q] - f.wall.x[b], f.wall.y[q] - f.wall.y[b]);
+        };
         double least = 1e300;
         for (int b = 0; b < f.wall.boundary_count; ++b) least = std::min(least, distance(b));
         EXPECT_NEAR(distance(f.wall.group[q]), least, 1e-12);
@@ -134,7 +138,8 @@ TEST(NeighboursTest, FindsEveryPairThatBruteForceFinds) {
     for (int i = 0; i < f.soil.count; ++i) {
         int expected = 0;
         for (int j = 0; j < f.soil.count; ++j) {
-            if (j != i && std::hypot(f.soil.x[i] - f.soil.x[j], f.soil.y[i] - f.soil.y[j]) < support) ++expected;
+            if (j != i && std::hypot(f.soil.x[i] - f.soil.x[j], f.soil.y[i] - f.soil.y[j]) < support)
+                ++expected;
         }
         EXPECT_EQ(row_length[i], expected) << "particle " << i;
     }
@@ -151,16 +156,17 @@ TEST(Operators, CorrectedGradientIsExactForALinearField) {
     }
     int checked = 0;
     for (const PairBlock& block : f.n.blocks) {
-        for_each_velocity_gradient(block, f.soil.count, vx.data(), vy.data(), [&](int i, const VelocityGradient& plain) {
-            if (f.n.nearest_boundary[i] >= 0) return;
-            const VelocityGradient g = plain.corrected(&f.n.correction[4 * i]);
-            EXPECT_NEAR(g.xx, 2, 1e-5);
-            EXPECT_NEAR(g.xy, -3, 1e-5);
-            EXPECT_NEAR(g.yx, 5, 1e-5);
-            EXPECT_NEAR(g.yy, 1, 1e-5);
-            EXPECT_NEAR(g.spin(), 4, 1e-5);
-            ++checked;
-        });
+        for_each_velocity_gradient(block, f.n, vx.data(), vy.data(),
+                                   [&](int i, const VelocityGradient& plain) {
+                                       if (f.n.nearest_boundary[i] >= 0) return;
+                                       const VelocityGradient g = plain.corrected(&f.n.correction[4 * i]);
+                                       EXPECT_NEAR(g.xx, 2, 1e-5);
+                                       EXPECT_NEAR(g.xy, -3, 1e-5);
+                                       EXPECT_NEAR(g.yx, 5, 1e-5);
+                                       EXPECT_NEAR(g.yy, 1, 1e-5);
+                                       EXPECT_NEAR(g.spin(), 4, 1e-5);
+                                       ++checked;
+                                   });
     }
     EXPECT_GT(checked, 80);
 }
@@ -179,8 +185,8 @@ TEST(Operators, PressureGradientIsMinusTheAdjointOfDivergence) {
         vy[i] = std::cos(39.425 * i);
     }
     for (const PairBlock& block : f.n.blocks) {
-        pressure_gradient(block, f.soil.count, p.data(), gx.data(), gy.data());
-        velocity_divergence(block, f.soil.count, vx.data(), vy.data(), divergence.data());
+        pair_kernels().pressure_gradient(pair_rows(block, f.n), p.data(), gx.data(), gy.data());
+        pair_kernels().velocity_divergence(pair_rows(block, f.n), vx.data(), vy.data(), divergence.data());
     }
     double left = 0.0;
     double right = 0.0;
@@ -195,6 +201,41 @@ TEST(Operators, PressureGradientIsMinusTheAdjointOfDivergence) {
         }
     }
     EXPECT_NEAR(left, -right, 1e-6 * std::abs(left));
+}
+
+TEST(Operators, EveryInstructionSetGivesTheSameBits) {
+    Filled f(12);
+    std::vector<double> vx(f.n.nodes, 0.0);
+    std::vector<double> vy(f.n.nodes, 0.0);
+    for (int i = 0; i < f.n.nodes; ++i) {
+        vx[i] = std::sin(78.233 * i);
+        vy[i] = std::cos(39.425 * i);
+    }
+    const auto all = [&](const PairKernels& kernels) {
+        std::vector<double> results;
+        std::vector<double> a(f.n.nodes, 0.0);
+        std::vector<double> b(f.n.nodes, 0.0);
+        VelocityGradients g;
+        const auto keep = [&](const double* values, int count) {
+            results.insert(results.end(), values, values + count);
+        };
+        for (const PairBlock& block : f.n.blocks) {
+            const PairRows rows = pair_rows(block, f.n);
+            kernels.stress_divergence(rows, vx.data(), vy.data(), a.data(), b.data());
+            keep(a.data(), f.n.nodes);
+            keep(b.data(), f.n.nodes);
+            kernels.pressure_gradient(rows, vx.data(), a.data(), b.data());
+            keep(a.data(), f.n.nodes);
+            kernels.velocity_divergence(rows, vx.data(), vy.data(), a.data());
+            keep(a.data(), f.n.nodes);
+            kernels.stiffness_product(rows, vx.data(), a.data());
+            keep(a.data(), f.n.nodes);
+            kernels.velocity_gradient(rows, vx.data(), vy.data(), g);
+            for (const double* part : {g.xx, g.xy, g.yx, g.yy}) keep(part, rows.slices * lanes);
+        }
+        return results;
+    };
+    EXPECT_EQ(all(pair_kernels()), all(pair_kernels_baseline));
 }
 
 TEST(Operators, InternalForcesAddUpToNothing) {
@@ -216,7 +257,7 @@ TEST(Operators, InternalForcesAddUpToNothing) {
     }
     double largest = 0.0;
     for (const PairBlock& block : n.blocks) {
-        stress_divergence(block, soil.count, sxx.data(), sxy.data(), fx.data(), fy.data());
+        pair_kernels().stress_divergence(pair_rows(block, n), sxx.data(), sxy.data(), fx.data(), fy.data());
     }
     for (int i = 0; i < soil.count; ++i) largest = std::max(largest, std::abs(fx[i]));
     EXPECT_NEAR(std::accumulate(fx.begin(), fx.end(), 0.0), 0.0, 1e-5 * largest);

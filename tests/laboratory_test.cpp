@@ -49,15 +49,17 @@ Points thickness_by_top(const RunResult& result) {
     return points;
 }
 
-/// integral |h - h_measured| dx / (L_0 H_0). The measured line ends at 1.5 mm height; its tail is closed with the
-/// slope of its last stretch.
+/// integral |h - h_measured| dx / (L_0 H_0). The measured line ends at 1.5 mm height; its tail is closed with
+/// the slope of its last stretch.
 double misfit(const RunResult& result) {
     const Points measured = measured_surface();
     const Points computed = thickness_by_top(result);
     const double dx = 0.0005;
     double sum = 0.0;
     for (double x = 0.5 * dx; x < 0.7; x += dx) {
-        sum += std::abs(value_at(computed, x, 2 * result.work.particle_spacing_m) - value_at(measured, x, 0.0107)) * dx;
+        sum += std::abs(value_at(computed, x, 2 * result.work.particle_spacing_m) -
+                        value_at(measured, x, 0.0107)) *
+               dx;
     }
     return sum / 0.02;
 }

@@ -63,7 +63,8 @@ TEST(DepositTest, GrainsApartDoNotCount) {
     soil.add(1.5, 1.52, 1);
     const std::vector<char> body = connected_body(soil.view());
     EXPECT_EQ(std::count(body.begin(), body.end(), 0), 2);
-    EXPECT_NEAR(contiguous_front(deposit_profile(soil.view(), body), &DepositProfile::Bin::by_top, 0.005), 1.0, 0.02);
+    EXPECT_NEAR(contiguous_front(deposit_profile(soil.view(), body), &DepositProfile::Bin::by_top, 0.005),
+                1.0, 0.02);
 }
 
 TEST(DepositTest, ThinTailIsNotTheFrontOfAThickThreshold) {
@@ -86,11 +87,11 @@ TEST(RunScene, MeasuresOfTheColumnAreConsistent) {
     const Scene scene = scenes::aluminium_column(21.9, 0.008);
     long reports = 0;
     const RunResult result = run_scene(scene, {[&](const Progress& p) {
-                                                  ++reports;
-                                                  EXPECT_GE(p.fraction, 0.0);
-                                                  EXPECT_LE(p.fraction, 1.0);
-                                              },
-                                              nullptr});
+                                                   ++reports;
+                                                   EXPECT_GE(p.fraction, 0.0);
+                                                   EXPECT_LE(p.fraction, 1.0);
+                                               },
+                                               nullptr});
     const Measures& m = result.measures;
     EXPECT_EQ(result.status, RunStatus::settled);
     EXPECT_NEAR(m.run_out_normalised, m.run_out_m / std::sqrt(m.deposit_area_m2), 1e-12);
@@ -104,7 +105,8 @@ TEST(RunScene, MeasuresOfTheColumnAreConsistent) {
     EXPECT_NEAR(result.series.front().mass_kg_m, 2079.5 * 0.02, 1e-9);
     // The profile by mass holds the mass of the connected deposit.
     double area = 0.0;
-    for (const DepositRow& row : result.deposit) area += row.thickness_by_mass_m * 2 * result.work.particle_spacing_m;
+    for (const DepositRow& row : result.deposit)
+        area += row.thickness_by_mass_m * 2 * result.work.particle_spacing_m;
     const double grain = result.work.particle_spacing_m * result.work.particle_spacing_m;
     EXPECT_NEAR(area, 0.02 - m.stray_particles * grain, 1e-9);
 }

@@ -58,7 +58,8 @@ TEST_P(SlabTest, AcceleratesAsTheSinPhiRuleSays) {
         simulation.step();
         if (simulation.time() < next) continue;
         next += 0.01;
-        EXPECT_NEAR(slab_speed(simulation, columns, rows, GetParam()) / simulation.time(), exact, 0.03 * exact)
+        EXPECT_NEAR(slab_speed(simulation, columns, rows, GetParam()) / simulation.time(), exact,
+                    0.03 * exact)
             << "t = " << simulation.time();
     }
 }
@@ -73,7 +74,8 @@ TEST(Rest, SlabFlatterThanReposeStands) {
         if (simulation.time() < next) continue;
         next += 0.05;
         // Under 1 % of what a frictionless slab would have reached.
-        EXPECT_LT(std::abs(slab_speed(simulation, columns, 10, 25.0)), 0.01 * g * std::sin(radians(25.0)) * 0.3);
+        EXPECT_LT(std::abs(slab_speed(simulation, columns, 10, 25.0)),
+                  0.01 * g * std::sin(radians(25.0)) * 0.3);
     }
 }
 
@@ -122,7 +124,8 @@ TEST(Properties, EnergyIsAccountedFor) {
     }
     const EnergyBudget end = simulation.energy();
     const double lost = start.potential - end.kinetic - end.potential;
-    // What is lost went into friction and, for a small part, into the error of the projection; nothing else takes any.
+    // What is lost went into friction and, for a small part, into the error of the projection; nothing else
+    // takes any.
     EXPECT_NEAR(end.friction_work - end.pressure_work, lost, 0.01 * lost);
     EXPECT_GT(end.friction_work, 0.9 * lost);
 }
@@ -158,8 +161,8 @@ TEST(Properties, OneThreadAndTwoGiveTheSameBits) {
 
 TEST(Properties, AMirroredSectionGivesTheSameBits) {
     const Scene scene = scenes::aluminium_column(21.9, 0.008);
-    const Scene mirrored = scenes::polygon({{-1.2, 0}, {0, 0}, {0, 0.2}}, {{0, 0}, {-0.2, 0}, {-0.2, 0.1}, {0, 0.1}},
-                                           21.9, 0.008);
+    const Scene mirrored = scenes::polygon({{-1.2, 0}, {0, 0}, {0, 0.2}},
+                                           {{0, 0}, {-0.2, 0}, {-0.2, 0.1}, {0, 0.1}}, 21.9, 0.008);
     EXPECT_EQ(final_positions(scene, 1, 10.0), final_positions(mirrored, 1, 10.0));
 }
 
@@ -185,7 +188,8 @@ TEST(WorkCounts, ColumnStaysWithinItsBudget) {
 }
 
 TEST(Endings, SoilThatPassesTheEndOfTheSectionIsSaid) {
-    Scene scene = scenes::polygon({{0, 0.2}, {0, 0}, {0.3, 0}}, {{0, 0}, {0.2, 0}, {0.2, 0.1}, {0, 0.1}}, 21.9, 0.008);
+    Scene scene =
+        scenes::polygon({{0, 0.2}, {0, 0}, {0.3, 0}}, {{0, 0}, {0.2, 0}, {0.2, 0.1}, {0, 0.1}}, 21.9, 0.008);
     Simulation simulation(scene);
     while (simulation.status() == RunStatus::running) simulation.step();
     EXPECT_EQ(simulation.status(), RunStatus::left_section);

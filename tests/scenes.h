@@ -10,8 +10,8 @@
 namespace runout::scenes {
 
 /// Scene of a free polygon on a section given by its points, both in section coordinates.
-inline Scene polygon(const std::vector<Vec2>& section, const std::vector<Vec2>& outline, double friction_angle_deg,
-                     double spacing) {
+inline Scene polygon(const std::vector<Vec2>& section, const std::vector<Vec2>& outline,
+                     double friction_angle_deg, double spacing) {
     Scene scene;
     std::vector<int> lines(section.size(), 0);
     scene.profile = make_profile(section, lines, "test", {});
@@ -66,7 +66,8 @@ inline Scene box(double slope_deg, double drop, double spacing) {
     const double t = radians(slope_deg);
     const double crest = 0.5;
     Scene scene;
-    const std::vector<Vec2> section{{-crest / std::tan(t) - 0.3, crest}, {-crest / std::tan(t), crest}, {0, 0}, {1.5, 0}};
+    const std::vector<Vec2> section{
+        {-crest / std::tan(t) - 0.3, crest}, {-crest / std::tan(t), crest}, {0, 0}, {1.5, 0}};
     scene.profile = make_profile(section, std::vector<int>(4, 0), "test", {});
     SourceSpec spec;
     spec.type = SourceType::rectangle;

@@ -4,8 +4,8 @@
 
 namespace runout {
 
-/// The rigid bed as a chain of segments with soil on the left of the direction of travel (above, when the chain
-/// runs downhill towards +x).
+/// The rigid bed as a chain of segments with soil on the left of the direction of travel (above, when the
+/// chain runs downhill towards +x).
 class BedLine {
   public:
     explicit BedLine(Polyline points, bool closed = false);
@@ -21,7 +21,9 @@ class BedLine {
     /// Nearest point among the segments within `reach` of `segment` (chain order).
     [[nodiscard]] Nearest nearest(const Vec2& point, int segment, int reach) const;
 
-    [[nodiscard]] int segments() const { return static_cast<int>(closed_ ? points_.size() : points_.size() - 1); }
+    [[nodiscard]] int segments() const {
+        return static_cast<int>(closed_ ? points_.size() : points_.size() - 1);
+    }
     [[nodiscard]] Vec2 start(int segment) const { return points_[static_cast<std::size_t>(segment)]; }
     [[nodiscard]] Vec2 end(int segment) const {
         return points_[static_cast<std::size_t>(segment + 1) % points_.size()];
@@ -31,7 +33,8 @@ class BedLine {
     [[nodiscard]] const Polyline& points() const { return points_; }
     [[nodiscard]] bool closed() const { return closed_; }
 
-    /// Bed elevation at x for an open chain: the highest point where a vertical face stands; clamped beyond the ends.
+    /// Bed elevation at x for an open chain: the highest point where a vertical face stands; clamped beyond
+    /// the ends.
     [[nodiscard]] double elevation(double x) const;
 
   private:

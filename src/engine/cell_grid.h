@@ -7,15 +7,15 @@
 
 namespace runout {
 
-/// Square cells over a window of the plane. Cells of one column are contiguous, so that three neighbouring cells of
-/// a column are one range of particles.
+/// Square cells over a window of the plane. Cells of one column are contiguous, so that three neighbouring
+/// cells of a column are one range of particles.
 struct CellGrid {
-    double size = 1;        ///< edge of a cell, m
-    long column0 = 0;       ///< first column and row of the window, in cells from the origin of the plane
+    double size = 1;   ///< edge of a cell, m
+    long column0 = 0;  ///< first column and row of the window, in cells from the origin of the plane
     long row0 = 0;
     int columns = 0;
     int rows = 0;
-    std::vector<int> start; ///< particles of cell c: [start[c], start[c+1])
+    std::vector<int> start;  ///< particles of cell c: [start[c], start[c+1])
 
     [[nodiscard]] long column(double x) const { return static_cast<long>(std::floor(x / size)); }
     [[nodiscard]] long row(double y) const { return static_cast<long>(std::floor(y / size)); }

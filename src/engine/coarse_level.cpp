@@ -54,7 +54,8 @@ struct CoarseLevel::Factor {
         cholmod_free_factor(&factor, &common);
         factor = cholmod_analyze(&matrix, &common);
         cholmod_factorize(&matrix, factor, &common);
-        if (common.status != CHOLMOD_OK) throw std::runtime_error("coarse pressure matrix could not be factorised");
+        if (common.status != CHOLMOD_OK)
+            throw std::runtime_error("coarse pressure matrix could not be factorised");
     }
 
     void solve() {
@@ -98,15 +99,17 @@ std::vector<Cell> number_cells(const std::vector<Cell>& cell_of, const std::vect
     aggregate.assign(cell_of.size(), -1);
     for (std::size_t i = 0; i < cell_of.size(); ++i) {
         if (!free[i]) continue;
-        aggregate[i] = static_cast<int>(std::lower_bound(cells.begin(), cells.end(), cell_of[i]) - cells.begin());
+        aggregate[i] =
+            static_cast<int>(std::lower_bound(cells.begin(), cells.end(), cell_of[i]) - cells.begin());
     }
     return cells;
 }
 
 }  // namespace
 
-void CoarseLevel::build(const Neighbours& n, const Soil& soil, const Wall& wall, const std::vector<double>& diagonal,
-                        const std::vector<char>& free, double cell, std::vector<int>& aggregate) {
+void CoarseLevel::build(const Neighbours& n, const Soil& soil, const Wall& wall,
+                        const std::vector<double>& diagonal, const std::vector<char>& free, double cell,
+                        std::vector<int>& aggregate) {
     std::vector<Cell> cell_of(n.nodes, Cell{0, 0});
     const auto place = [&](int node, double x, double y) {
         cell_of[node] = {static_cast<long>(std::floor(x / cell)), static_cast<long>(std::floor(y / cell))};

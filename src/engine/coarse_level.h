@@ -9,9 +9,9 @@
 
 namespace runout {
 
-/// Coarse level of the pressure preconditioner: one unknown per square cell of four spacings, piecewise constant,
-/// factorised by CHOLMOD. A factor of some steps ago still preconditions well; the particles carry the number of
-/// their cell with them until the next `build`.
+/// Coarse level of the pressure preconditioner: one unknown per square cell of four spacings, piecewise
+/// constant, factorised by CHOLMOD. A factor of some steps ago still preconditions well; the particles carry
+/// the number of their cell with them until the next `build`.
 class CoarseLevel {
   public:
     CoarseLevel();
@@ -19,13 +19,14 @@ class CoarseLevel {
     CoarseLevel(const CoarseLevel&) = delete;
     CoarseLevel& operator=(const CoarseLevel&) = delete;
 
-    /// Factorises P^T A P of the matrix diag(diagonal) - k over the nodes with free != 0. On return `aggregate` has
-    /// each node's cell (-1: none). Cells of `cell` metres.
+    /// Factorises P^T A P of the matrix diag(diagonal) - k over the nodes with free != 0. On return
+    /// `aggregate` has each node's cell (-1: none). Cells of `cell` metres.
     void build(const Neighbours& n, const Soil& soil, const Wall& wall, const std::vector<double>& diagonal,
                const std::vector<char>& free, double cell, std::vector<int>& aggregate);
 
     /// z += scale P A_c^-1 P^T r, over nodes with an aggregate.
-    void correct(const std::vector<int>& aggregate, double scale, const std::vector<double>& r, std::vector<double>& z);
+    void correct(const std::vector<int>& aggregate, double scale, const std::vector<double>& r,
+                 std::vector<double>& z);
 
     [[nodiscard]] int size() const;
 

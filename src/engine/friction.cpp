@@ -21,7 +21,8 @@ void bound_stress(double pressure, double sin_phi, double& sxx, double& sxy) {
 
 }  // namespace
 
-Friction::Friction(const Discretisation& discretisation, const Material& material, const RunSettings& run, int threads)
+Friction::Friction(const Discretisation& discretisation, const Material& material, const RunSettings& run,
+                   int threads)
     : discretisation_(discretisation),
       sin_phi_(std::sin(material.friction_angle)),
       gravity_(run.gravity),
@@ -66,7 +67,8 @@ void Friction::save(const Neighbours& n, Soil& soil, Wall& wall) const {
 void Friction::apply_pressure(const Neighbours& n, const Soil& soil, double dt) {
     const double scale = dt / discretisation_.density;
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        pressure_gradient(n.blocks[b], n.soil_count, pressure_.data(), force_x_.data(), force_y_.data());
+        pair_kernels().pressure_gradient(pair_rows(n.blocks[b], n), pressure_.data(), force_x_.data(),
+                                         force_y_.data());
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
         for (int i = n.blocks[b].first_row; i < last; ++i) {
             base_vx_[i] = soil.vx[i] - scale * force_x_[i];
@@ -78,24 +80,25 @@ void Friction::apply_pressure(const Neighbours& n, const Soil& soil, double dt) 
 /// The stress turns with the soil (Jaumann); |s| is kept exactly.
 void Friction::rotate(const Neighbours& n, double dt) {
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        for_each_velocity_gradient(n.blocks[b], n.soil_count, vx_.data(), vy_.data(),
-                                   [&](int i, const VelocityGradient& plain) {
-            const double angle = 2.0 * dt * plain.corrected(&n.correction[4 * i]).spin();
-            const double c = std::cos(angle);
-            const double s = std::sin(angle);
-            const double sxx = sxx_[i];
-            sxx_[i] = c * sxx - s * sxy_[i];
-            sxy_[i] = s * sxx + c * sxy_[i];
-        });
+        for_each_velocity_gradient(
+            n.blocks[b], n, vx_.data(), vy_.data(), [&](int i, const VelocityGradient& plain) {
+                const double angle = 2.0 * dt * plain.corrected(&n.correction[4 * i]).spin();
+                const double c = std::cos(angle);
+                const double s = std::sin(angle);
+                const double sxx = sxx_[i];
+                sxx_[i] = c * sxx - s * sxy_[i];
+                sxy_[i] = s * sxx + c * sxy_[i];
+            });
     });
 }
 
 /// On return v~ = base velocity - dt div(s) / rho.
-void Friction::trial_velocity(const Neighbours& n, const std::vector<double>& sxx, const std::vector<double>& sxy,
-                              double dt) {
+void Friction::trial_velocity(const Neighbours& n, const std::vector<double>& sxx,
+                              const std::vector<double>& sxy, double dt) {
     const double scale = dt / discretisation_.density;
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        stress_divergence(n.blocks[b], n.soil_count, sxx.data(), sxy.data(), force_x_.data(), force_y_.data());
+        pair_kernels().stress_divergence(pair_rows(n.blocks[b], n), sxx.data(), sxy.data(), force_x_.data(),
+                                         force_y_.data());
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
         for (int i = n.blocks[b].first_row; i < last; ++i) {
             vx_[i] = base_vx_[i] - scale * force_x_[i];
@@ -119,7 +122,7 @@ void Friction::project(const Neighbours& n, double dt, double momentum) {
         ahead_sxy_[i] = sxy_[i] + momentum * (sxy_[i] - old_xy);
     };
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        for_each_velocity_gradient(n.blocks[b], n.soil_count, vx_.data(), vy_.data(), update);
+        for_each_velocity_gradient(n.blocks[b], n, vx_.data(), vy_.data(), update);
     });
     for (int a = 0; a < n.active_count(); ++a) {
         update(n.first_boundary + a, boundary_velocity_gradient(n, a, vx_.data(), vy_.data()));
@@ -136,7 +139,7 @@ void Friction::yield_from_strain_rate(const Neighbours& n) {
         sxy_[i] = scale * g.exy();
     };
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        for_each_velocity_gradient(n.blocks[b], n.soil_count, vx_.data(), vy_.data(), update);
+        for_each_velocity_gradient(n.blocks[b], n, vx_.data(), vy_.data(), update);
     });
     for (int a = 0; a < n.active_count(); ++a) {
         update(n.first_boundary + a, boundary_velocity_gradient(n, a, vx_.data(), vy_.data()));

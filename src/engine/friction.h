@@ -11,12 +11,14 @@ namespace runout {
 
 /// Deviatoric stress of Coulomb soil and the velocity it allows.
 ///
-/// `projected`: the yield condition |s| <= p sin(phi) is a constraint, met by an accelerated projected (Uzawa)
-/// iteration on s in the spirit of Ionescu et al. 2015 and Bermudez & Moreno: at rest s balances the weight and
-/// nothing moves; at yield s tends to eq. 8. `explicit_`: eq. 8 from the current strain rate, the paper as printed.
+/// `projected`: the yield condition |s| <= p sin(phi) is a constraint, met by an accelerated projected
+/// (Uzawa) iteration on s in the spirit of Ionescu et al. 2015 and Bermudez & Moreno: at rest s balances the
+/// weight and nothing moves; at yield s tends to eq. 8. `explicit_`: eq. 8 from the current strain rate, the
+/// paper as printed.
 class Friction {
   public:
-    Friction(const Discretisation& discretisation, const Material& material, const RunSettings& run, int threads);
+    Friction(const Discretisation& discretisation, const Material& material, const RunSettings& run,
+             int threads);
 
     /// Predictor, eq. 3. On return soil and wall hold the new stress, and `vx`, `vy` (per node) the
     /// velocity v* under gravity and friction, without pressure. The pressure is the one the last solve left.
@@ -29,7 +31,8 @@ class Friction {
     void save(const Neighbours& n, Soil& soil, Wall& wall) const;
     void apply_pressure(const Neighbours& n, const Soil& soil, double dt);
     void rotate(const Neighbours& n, double dt);
-    void trial_velocity(const Neighbours& n, const std::vector<double>& sxx, const std::vector<double>& sxy, double dt);
+    void trial_velocity(const Neighbours& n, const std::vector<double>& sxx, const std::vector<double>& sxy,
+                        double dt);
     void project(const Neighbours& n, double dt, double momentum);
     void yield_from_strain_rate(const Neighbours& n);
 
@@ -42,11 +45,11 @@ class Friction {
 
     // Node arrays, see Neighbours.
     std::vector<double> pressure_;
-    std::vector<double> sxx_, sxy_;            ///< stress of this iterate
-    std::vector<double> old_sxx_, old_sxy_;    ///< of the one before
-    std::vector<double> ahead_sxx_, ahead_sxy_;///< extrapolated
-    std::vector<double> base_vx_, base_vy_;    ///< velocity under gravity and pressure
-    std::vector<double> vx_, vy_;              ///< trial velocity v~
+    std::vector<double> sxx_, sxy_;              ///< stress of this iterate
+    std::vector<double> old_sxx_, old_sxy_;      ///< of the one before
+    std::vector<double> ahead_sxx_, ahead_sxy_;  ///< extrapolated
+    std::vector<double> base_vx_, base_vy_;      ///< velocity under gravity and pressure
+    std::vector<double> vx_, vy_;                ///< trial velocity v~
     std::vector<double> force_x_, force_y_;
 };
 

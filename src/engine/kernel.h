@@ -31,6 +31,10 @@ class WendlandKernel {
         return c > 0.0 ? slope_scale_ * c * c * c : 0.0;
     }
 
+    [[nodiscard]] double inverse_smoothing_length() const { return inverse_h_; }
+    [[nodiscard]] double value_scale() const { return value_scale_; }
+    [[nodiscard]] double slope_scale() const { return slope_scale_; }
+
   private:
     double inverse_h_;
     double value_scale_;
@@ -39,21 +43,21 @@ class WendlandKernel {
 
 /// Numbers that every operator needs, the same for the whole run.
 struct Discretisation {
-    double spacing = 0;           ///< dl, m; spacing^2 is a particle's volume per metre of width
-    double smoothing_length = 0;  ///< h, m
-    double density = 0;           ///< rho_0, kg/m3
-    double lattice_sum = 0;       ///< sum of W over the full lattice, 1/m2: density ratio 1 by definition
-    double lattice_stiffness = 0; ///< sum of k over the full lattice (see `stiffness`)
+    double spacing = 0;            ///< dl, m; spacing^2 is a particle's volume per metre of width
+    double smoothing_length = 0;   ///< h, m
+    double density = 0;            ///< rho_0, kg/m3
+    double lattice_sum = 0;        ///< sum of W over the full lattice, 1/m2: density ratio 1 by definition
+    double lattice_stiffness = 0;  ///< sum of k over the full lattice (see `stiffness`)
 
     [[nodiscard]] double volume() const { return spacing * spacing; }
     [[nodiscard]] double mass() const { return density * volume(); }
 
-    /// k_ij of the symmetric pressure equation (eq. 5 with rho = rho_0): -(2 m / rho_0^2) x.gradW / (r^2 + eta^2),
-    /// eta = 0.1 h; `slope` is the kernel's at distance r.
+    /// k_ij of the symmetric pressure equation (eq. 5 with rho = rho_0): -(2 m / rho_0^2) x.gradW / (r^2 +
+    /// eta^2), eta = 0.1 h; `slope` is the kernel's at distance r.
     [[nodiscard]] double stiffness(double slope, double r2) const {
-        const double eta2 = 0.01 * smoothing_length * smoothing_length;
-        return -(2.0 * volume() / density) * slope * r2 / (r2 + eta2);
+        return -(2.0 * volume() / density) * slope * r2 / (r2 + eta2());
     }
+    [[nodiscard]] double eta2() const { return 0.01 * smoothing_length * smoothing_length; }
 };
 
 /// Discretisation with its lattice sums, for a square lattice of the given spacing.

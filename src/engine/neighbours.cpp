@@ -136,7 +136,8 @@ void NeighbourSearch::number_boundary(const Soil& soil, const Wall& wall, Neighb
     n.nodes = soil.padded() + n.active_count();
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
         PairBlock& block = n.blocks[b];
-        for (const WallPair& pair : block.wall_pairs) block.column[pair.slot] = node_of_boundary_[pair.boundary];
+        for (const WallPair& pair : block.wall_pairs)
+            block.column[pair.slot] = node_of_boundary_[pair.boundary];
     });
 }
 
@@ -163,7 +164,8 @@ void NeighbourSearch::fill_boundary_rows(const Wall& wall, const Soil& soil, Nei
     for (const PairBlock& block : n.blocks) {
         for (const WallPair& pair : block.wall_pairs) {
             const int a = node_of_boundary_[pair.boundary] - n.first_boundary;
-            n.boundary_pairs[cursor_[a]++] = {pair.row, -pair.gx, -pair.gy, pair.stiffness, -pair.own_gx, -pair.own_gy};
+            n.boundary_pairs[cursor_[a]++] = {pair.row,       -pair.gx,     -pair.gy,
+                                              pair.stiffness, -pair.own_gx, -pair.own_gy};
             if (!pair.own) continue;
             ++n.boundary_soil[a];
             n.density[n.first_boundary + a] += pair.own_kernel;

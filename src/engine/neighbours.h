@@ -5,20 +5,18 @@
 
 #include "engine/cell_grid.h"
 #include "engine/kernel.h"
+#include "engine/pair_kernels.h"
 #include "engine/soil.h"
 #include "engine/wall.h"
 
 namespace runout {
 
-/// Slices of pair rows that one thread works on at a time.
-constexpr int slices_per_block = 8;
-constexpr int rows_per_block = slices_per_block * lanes;
-
-/// Soil-wall pair seen from the soil row. All wall particles of one group are merged into their boundary particle.
+/// Soil-wall pair seen from the soil row. All wall particles of one group are merged into their boundary
+/// particle.
 struct WallPair {
-    int row = 0;        ///< soil particle
-    int boundary = 0;   ///< boundary particle of the wall
-    int slot = 0;       ///< position in the block's columns
+    int row = 0;                   ///< soil particle
+    int boundary = 0;              ///< boundary particle of the wall
+    int slot = 0;                  ///< position in the block's columns
     float gx = 0, gy = 0;          ///< V gradW, the group's sum, 1/m
     float stiffness = 0;           ///< k, the group's sum
     float own_gx = 0, own_gy = 0;  ///< V gradW of the boundary particle alone
@@ -26,45 +24,48 @@ struct WallPair {
     bool own = false;              ///< the boundary particle itself is within the support
 };
 
-/// Pair rows of up to 128 soil particles in slices of 16 lanes: entry k of lane l stands at offset + 16 k + l, so that
-/// a loop over the lanes adds to 16 rows at once and each row is summed in its own order on every machine.
+/// Pair rows of up to 128 soil particles in slices of 16 lanes: entry k of lane l stands at offset + 16 k +
+/// l, so that a loop over the lanes adds to 16 rows at once and each row is summed in its own order on every
+/// machine.
 struct PairBlock {
     int first_row = 0;
     int offset[slices_per_block + 1] = {};
-    std::vector<std::int32_t> column;    ///< node of the neighbour; padding entries point at node 0 with zero weights
-    std::vector<float> gx, gy;           ///< V gradW_ij, 1/m
-    std::vector<float> stiffness;        ///< k_ij of the pressure matrix
-    std::vector<WallPair> wall_pairs;    ///< entries of `column` that are boundary particles
+    std::vector<std::int32_t>
+        column;                 ///< node of the neighbour; padding entries point at node 0 with zero weights
+    std::vector<float> gx, gy;  ///< V gradW_ij, 1/m
+    std::vector<float> stiffness;      ///< k_ij of the pressure matrix
+    std::vector<WallPair> wall_pairs;  ///< entries of `column` that are boundary particles
 };
 
 /// One soil particle as a boundary particle sees it.
 struct BoundaryPair {
     int soil = 0;
-    float gx = 0, gy = 0;          ///< V gradW of the whole group, from the boundary's side
+    float gx = 0, gy = 0;  ///< V gradW of the whole group, from the boundary's side
     float stiffness = 0;
     float own_gx = 0, own_gy = 0;  ///< of the boundary particle alone
 };
 
 /// Who is near whom, and the geometry of it, for the particles where they stand now.
 ///
-/// Nodes are numbered: soil [0, soil.count), padding up to soil.padded(), then the active boundary particles, those
-/// with soil within the support of their group.
+/// Nodes are numbered: soil [0, soil.count), padding up to soil.padded(), then the active boundary particles,
+/// those with soil within the support of their group.
 struct Neighbours {
     int soil_count = 0;
-    int first_boundary = 0;            ///< node of the first active boundary particle
+    int first_boundary = 0;  ///< node of the first active boundary particle
     int nodes = 0;
     std::vector<PairBlock> blocks;
 
-    std::vector<int> active;           ///< wall index of each active boundary particle, ascending
-    std::vector<int> boundary_start;   ///< compressed rows over `active`
+    std::vector<int> active;          ///< wall index of each active boundary particle, ascending
+    std::vector<int> boundary_start;  ///< compressed rows over `active`
     std::vector<BoundaryPair> boundary_pairs;
-    std::vector<int> boundary_soil;    ///< soil particles within the boundary particle's own support
+    std::vector<int> boundary_soil;  ///< soil particles within the boundary particle's own support
 
-    std::vector<double> density;       ///< rho / rho_0 per node, 1 on the full lattice
-    std::vector<double> correction;    ///< 4 per node: inverse moment matrix B^-1 of eq. 9, row-major
-    std::vector<double> stiffness_sum; ///< sum of k over all neighbours, per soil particle
-    std::vector<double> surface_x, surface_y;  ///< sum of V gradW, points into the soil at a free surface, 1/m
-    std::vector<int> nearest_boundary; ///< wall index, -1: no wall within the support; per soil particle
+    std::vector<double> density;        ///< rho / rho_0 per node, 1 on the full lattice
+    std::vector<double> correction;     ///< 4 per node: inverse moment matrix B^-1 of eq. 9, row-major
+    std::vector<double> stiffness_sum;  ///< sum of k over all neighbours, per soil particle
+    std::vector<double> surface_x,
+        surface_y;                      ///< sum of V gradW, points into the soil at a free surface, 1/m
+    std::vector<int> nearest_boundary;  ///< wall index, -1: no wall within the support; per soil particle
 
     [[nodiscard]] int active_count() const { return static_cast<int>(active.size()); }
 };

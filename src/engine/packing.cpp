@@ -119,7 +119,8 @@ Packing fitted_lattice(const Source& source, const Axes& axes, double spacing) {
     }
     if (best.x.empty()) {  // a sliver between the lattice lines
         Vec2 centre{0, 0};
-        for (const Vec2& corner : source.outline) centre += corner / static_cast<double>(source.outline.size());
+        for (const Vec2& corner : source.outline)
+            centre += corner / static_cast<double>(source.outline.size());
         best.x = {centre.x()};
         best.y = {centre.y()};
     }
@@ -127,7 +128,8 @@ Packing fitted_lattice(const Source& source, const Axes& axes, double spacing) {
     return best;
 }
 
-/// Moves particles down the gradient of their crowding until nothing moves by more than a hundredth of a spacing.
+/// Moves particles down the gradient of their crowding until nothing moves by more than a hundredth of a
+/// spacing.
 void settle(Packing& packing, const Polygon& outline, double smoothing_ratio) {
     const Discretisation d = make_discretisation(packing.spacing, smoothing_ratio, 1.0);
     const Wall shell = make_wall(BedLine(outline, true), d);

@@ -13,9 +13,9 @@ struct Packing {
     double spacing = 0;        ///< effective dl: count * spacing^2 = area of the source, to rounding, m
 };
 
-/// Fills the source with about area / spacing^2 particles on a lattice along its base, then lets them settle into
-/// even density against a shell around the outline, so that no particle starts squeezed in a corner. A rectangle
-/// gets a lattice stretched to fit and needs no settling.
+/// Fills the source with about area / spacing^2 particles on a lattice along its base, then lets them settle
+/// into even density against a shell around the outline, so that no particle starts squeezed in a corner. A
+/// rectangle gets a lattice stretched to fit and needs no settling.
 Packing pack_source(const Source& source, double spacing, double smoothing_ratio);
 
 }  // namespace runout

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/pair_kernels.h"
+
 namespace runout {
 namespace {
 
-/// Appends the particles of a cell range that lie within the support. Branchless: every candidate is written, and
-/// kept by moving on.
+/// Appends the particles of a cell range that lie within the support. Branchless: every candidate is written,
+/// and kept by moving on.
 template <class Index>
 void collect(PairList& list, const std::vector<double>& px, const std::vector<double>& py, double x, double y,
              double support2, int first, int last, const Index& index) {
@@ -37,16 +39,10 @@ WallPair& wall_pair(PairRow& row, int boundary) {
 }
 
 /// Geometry of every pair of a list, added to the row's sums.
-void add_pairs(PairRow& row, PairList& list, const WendlandKernel& kernel, const Discretisation& d) {
-    for (int k = 0; k < list.count; ++k) {
-        const double r = std::sqrt(list.r2[k]);
-        const double slope = kernel.slope(r);
-        const double f = slope * d.volume();
-        list.gx[k] = f * list.dx[k];
-        list.gy[k] = f * list.dy[k];
-        list.stiffness[k] = d.stiffness(slope, list.r2[k]);
-        list.kernel[k] = kernel.value(r);
-    }
+void add_pairs(PairRow& row, PairList& list, const GeometryConstants& constants) {
+    pair_kernels().pair_geometry({list.count, list.dx.data(), list.dy.data(), list.r2.data(), list.gx.data(),
+                                  list.gy.data(), list.stiffness.data(), list.kernel.data()},
+                                 constants);
     for (int k = 0; k < list.count; ++k) {
         row.kernel_sum += list.kernel[k];
         row.stiffness_sum += list.stiffness[k];
@@ -57,6 +53,11 @@ void add_pairs(PairRow& row, PairList& list, const WendlandKernel& kernel, const
         row.moment[3] -= list.dy[k] * list.gy[k];
     }
     row.moment[2] = row.moment[1];  // gradW lies along the pair
+}
+
+GeometryConstants geometry_constants(const WendlandKernel& kernel, const Discretisation& d) {
+    return {kernel.inverse_smoothing_length(), kernel.value_scale(), kernel.slope_scale() * d.volume(),
+            -2.0 * d.volume() / d.density * kernel.slope_scale(), d.eta2()};
 }
 
 /// Merges the wall particles of a row into their boundary particles.
@@ -83,9 +84,10 @@ void merge_wall(PairRow& row, const Wall& wall) {
 
 }  // namespace
 
-void find_pair_row(const CellGrid& grid, const Discretisation& discretisation, const Soil& soil, const Wall& wall, int i,
-                   PairRow& row) {
+void find_pair_row(const CellGrid& grid, const Discretisation& discretisation, const Soil& soil,
+                   const Wall& wall, int i, PairRow& row) {
     const WendlandKernel kernel(discretisation.smoothing_length);
+    const GeometryConstants constants = geometry_constants(kernel, discretisation);
     const double x = soil.x[i];
     const double y = soil.y[i];
     const double support2 = kernel.support() * kernel.support();
@@ -99,10 +101,9 @@ void find_pair_row(const CellGrid& grid, const Discretisation& discretisation, c
         collect(row.wall, wall.x, wall.y, x, y, support2, first, last, [&](int k) { return wall.order[k]; });
     });
     row.kernel_sum = kernel.value(0.0);
-    add_pairs(row, row.soil, kernel, discretisation);
-    add_pairs(row, row.wall, kernel, discretisation);
+    add_pairs(row, row.soil, constants);
+    add_pairs(row, row.wall, constants);
     merge_wall(row, wall);
 }
-
 
 }  // namespace runout

@@ -42,9 +42,9 @@ struct PairRow {
     [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(soil.count) + merged.size(); }
 };
 
-/// Finds the row of soil particle i: who is within the support, in the order of the cells, and the sums over them.
-/// On return wall pairs are merged into their boundary particles. `row` has been cleared.
-void find_pair_row(const CellGrid& grid, const Discretisation& discretisation, const Soil& soil, const Wall& wall, int i,
-                   PairRow& row);
+/// Finds the row of soil particle i: who is within the support, in the order of the cells, and the sums over
+/// them. On return wall pairs are merged into their boundary particles. `row` has been cleared.
+void find_pair_row(const CellGrid& grid, const Discretisation& discretisation, const Soil& soil,
+                   const Wall& wall, int i, PairRow& row);
 
 }  // namespace runout

@@ -10,11 +10,16 @@ enum class Phase { neighbours, friction, pressure, motion, count };
 
 constexpr const char* to_string(Phase phase) {
     switch (phase) {
-        case Phase::neighbours: return "neighbours";
-        case Phase::friction: return "friction";
-        case Phase::pressure: return "pressure";
-        case Phase::motion: return "motion";
-        case Phase::count: break;
+        case Phase::neighbours:
+            return "neighbours";
+        case Phase::friction:
+            return "friction";
+        case Phase::pressure:
+            return "pressure";
+        case Phase::motion:
+            return "motion";
+        case Phase::count:
+            break;
     }
     return "";
 }

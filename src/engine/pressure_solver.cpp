@@ -11,14 +11,14 @@ namespace {
 
 constexpr int max_iterations = 1000;
 constexpr double coarse_cell_spacings = 4.0;
-constexpr double coarse_scale = 1.5;      // makes up for the piecewise constant coarse space
+constexpr double coarse_scale = 1.5;  // makes up for the piecewise constant coarse space
 constexpr int steps_per_coarse_build = 15;
 constexpr int dot_chunk = 1024;
 
 }  // namespace
 
-PressureSolver::PressureSolver(const Discretisation& discretisation, double gravity, double length, double tolerance,
-                               int threads)
+PressureSolver::PressureSolver(const Discretisation& discretisation, double gravity, double length,
+                               double tolerance, int threads)
     : discretisation_(discretisation),
       gravity_(gravity),
       relaxation_time_(2.0 * discretisation.spacing / std::sqrt(gravity * length)),
@@ -50,8 +50,10 @@ void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& w
             free_[node] = 1;
         }
         double sum = 0.0;
-        for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) sum += n.boundary_pairs[k].stiffness;
-        for (int k = wall.neighbour_start[b]; k < wall.neighbour_start[b + 1]; ++k) sum += wall.neighbour_stiffness[k];
+        for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k)
+            sum += n.boundary_pairs[k].stiffness;
+        for (int k = wall.neighbour_start[b]; k < wall.neighbour_start[b + 1]; ++k)
+            sum += wall.neighbour_stiffness[k];
         diagonal_[node] = sum;
     }
     boundary_node_.assign(wall.boundary_count, -1);
@@ -71,7 +73,8 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
     const double dt = step.dt;
     const double scale = dt / discretisation_.density;
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        pressure_gradient(n.blocks[b], n.soil_count, kept_.data(), trial_vx_.data(), trial_vy_.data());
+        pair_kernels().pressure_gradient(pair_rows(n.blocks[b], n), kept_.data(), trial_vx_.data(),
+                                         trial_vy_.data());
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
         for (int i = n.blocks[b].first_row; i < last; ++i) {
             trial_vx_[i] = vx[i] - scale * trial_vx_[i];
@@ -81,7 +84,8 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
     const double rate = step.correct_density ? 1.0 / std::max(relaxation_time_, 10.0 * dt) : 0.0;
     const auto wanted = [&](int node) { return rate * std::max(0.0, n.density[node] - 1.0); };
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        velocity_divergence(n.blocks[b], n.soil_count, trial_vx_.data(), trial_vy_.data(), right_hand_side_.data());
+        pair_kernels().velocity_divergence(pair_rows(n.blocks[b], n), trial_vx_.data(), trial_vy_.data(),
+                                           right_hand_side_.data());
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
         for (int i = n.blocks[b].first_row; i < last; ++i) {
             right_hand_side_[i] = (wanted(i) - right_hand_side_[i]) / dt + product_[i];
@@ -104,10 +108,12 @@ void PressureSolver::refresh_coarse_level(const Neighbours& n, Soil& soil, const
     const bool worn = steps_since_build_ >= steps_per_coarse_build ||
                       last_iterations_ > iterations_after_build_ + iterations_after_build_ / 2 + 3;
     if (wall_aggregate_.empty() || worn) {
-        coarse_.build(n, soil, wall, diagonal_, free_, coarse_cell_spacings * discretisation_.spacing, aggregate_);
+        coarse_.build(n, soil, wall, diagonal_, free_, coarse_cell_spacings * discretisation_.spacing,
+                      aggregate_);
         std::copy_n(aggregate_.begin(), soil.count, soil.aggregate.begin());
         wall_aggregate_.assign(wall.boundary_count, -1);
-        for (int a = 0; a < n.active_count(); ++a) wall_aggregate_[n.active[a]] = aggregate_[n.first_boundary + a];
+        for (int a = 0; a < n.active_count(); ++a)
+            wall_aggregate_[n.active[a]] = aggregate_[n.first_boundary + a];
         steps_since_build_ = 0;
         return;
     }
@@ -122,7 +128,7 @@ void PressureSolver::refresh_coarse_level(const Neighbours& n, Soil& soil, const
 void PressureSolver::multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x,
                               std::vector<double>& out) {
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        stiffness_product(n.blocks[b], n.soil_count, x.data(), out.data());
+        pair_kernels().stiffness_product(pair_rows(n.blocks[b], n), x.data(), out.data());
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
         for (int i = n.blocks[b].first_row; i < last; ++i) out[i] = diagonal_[i] * x[i] - out[i];
     });
@@ -194,8 +200,9 @@ PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
     return result;
 }
 
-PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall, const std::vector<double>& vx,
-                                    const std::vector<double>& vy, const PressureStep& step) {
+PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
+                                    const std::vector<double>& vx, const std::vector<double>& vy,
+                                    const PressureStep& step) {
     set_up(n, soil, wall);
     set_right_hand_side(n, wall, vx, vy, step);
     refresh_coarse_level(n, soil, wall);

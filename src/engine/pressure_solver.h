@@ -15,9 +15,9 @@ constexpr double surface_density = 0.97;
 /// How a pressure solve is to be done.
 struct PressureStep {
     double dt = 0;
-    /// Share of the old pressure that the projection starts from (incremental projection). The Laplacian of eq. 5 is
-    /// not the divergence of the gradient, so a projection from nothing leaves a part of the weight uncarried and a
-    /// heap at rest creeps; a full memory keeps every noise that the gradient does not see.
+    /// Share of the old pressure that the projection starts from (incremental projection). The Laplacian of
+    /// eq. 5 is not the divergence of the gradient, so a projection from nothing leaves a part of the weight
+    /// uncarried and a heap at rest creeps; a full memory keeps every noise that the gradient does not see.
     double memory = 0.9;
     bool correct_density = true;  ///< work off density above rho_0
 };
@@ -27,19 +27,21 @@ struct PressureSolve {
     int iterations = 0;
     double residual = 0;  ///< relative to the right-hand side
     bool converged = false;
-    double highest = 0;   ///< Pa
+    double highest = 0;  ///< Pa
 };
 
 /// Pressure that makes v* divergence-free, eq. 5 in symmetric form on soil and boundary particles:
 ///   sum_j k_ij (q_i - q_j) = -(div(v* - dt grad(m p^n)/rho) - max(0, rho/rho_0 - 1)/T) / dt,  p = m p^n + q
-/// Dummies are eliminated (P^T A P), so the matrix is symmetric positive definite. At the free surface the missing
-/// neighbours are ghosts at p = 0: the diagonal is filled up to the lattice's sum of k (semi-Dirichlet), which keeps
-/// layers of one to three particles incompressible, as the paper's imposed pressure does not. Conjugate gradients with
-/// an additive two-level preconditioner. Negative pressure is cut off: dry soil bears no tension.
+/// Dummies are eliminated (P^T A P), so the matrix is symmetric positive definite. At the free surface the
+/// missing neighbours are ghosts at p = 0: the diagonal is filled up to the lattice's sum of k
+/// (semi-Dirichlet), which keeps layers of one to three particles incompressible, as the paper's imposed
+/// pressure does not. Conjugate gradients with an additive two-level preconditioner. Negative pressure is cut
+/// off: dry soil bears no tension.
 class PressureSolver {
   public:
     /// `length`: scale of the mass, m, for the time in which excess density is worked off.
-    PressureSolver(const Discretisation& discretisation, double gravity, double length, double tolerance, int threads);
+    PressureSolver(const Discretisation& discretisation, double gravity, double length, double tolerance,
+                   int threads);
 
     /// On return soil and wall hold the pressure of the end of the step.
     PressureSolve solve(const Neighbours& n, Soil& soil, Wall& wall, const std::vector<double>& vx,
@@ -53,7 +55,8 @@ class PressureSolver {
     void set_right_hand_side(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
                              const std::vector<double>& vy, const PressureStep& step);
     void refresh_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall);
-    void multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x, std::vector<double>& out);
+    void multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x,
+                  std::vector<double>& out);
     void precondition();
     PressureSolve iterate(const Neighbours& n, const Wall& wall);
     double dot(const std::vector<double>& a, const std::vector<double>& b);

@@ -12,16 +12,18 @@
 namespace runout {
 namespace {
 
-constexpr int particles_per_thread = 1500;   // below this a second thread costs more than it brings
+constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
-constexpr double rest_energy = 1e-5;         // kinetic energy at rest, share of M g sqrt(S)
-constexpr double rest_time = 2.0;            // for so many sqrt(sqrt(S)/g)
+constexpr double rest_energy = 1e-5;           // kinetic energy at rest, share of M g sqrt(S)
+constexpr double rest_time = 2.0;              // for so many sqrt(sqrt(S)/g)
+constexpr double standing_spacings = 2.0;      // a lattice that finds its rest moves by up to one
 constexpr int equilibrium_rounds = 200;
 constexpr int equilibrium_iterations = 20;
-constexpr double equilibrium_change = 5e-4;     // of the acceleration between two rounds, in g, root mean square
+constexpr double equilibrium_change = 5e-4;  // of the acceleration between two rounds, in g, root mean square
 
 int threads_for(int wanted, std::size_t particles) {
-    const int available = wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    const int available =
+        wanted > 0 ? wanted : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     return std::clamp(static_cast<int>(particles) / particles_per_thread, 1, available);
 }
 
@@ -79,13 +81,14 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
       pressure_(discretisation_, scene.run.gravity, length_scale_, scene.run.pressure_tolerance, threads_) {
     start_x_ = packing.x;
     start_y_ = packing.y;
-    for (auto* field : {&predicted_vx_, &predicted_vy_, &force_x_, &force_y_}) field->assign(soil_.padded(), 0.0);
+    for (auto* field : {&predicted_vx_, &predicted_vy_, &force_x_, &force_y_})
+        field->assign(soil_.padded(), 0.0);
     find_equilibrium();
 }
 
-/// Pressure and stress in balance on the frozen geometry before release, the mass not yet moving. Without it the
-/// first moments of every run, and cases close to stability, are wrong. Ends when the acceleration at release no
-/// longer changes.
+/// Pressure and stress in balance on the frozen geometry before release, the mass not yet moving. Without it
+/// the first moments of every run, and cases close to stability, are wrong. Ends when the acceleration at
+/// release no longer changes.
 void Simulation::find_equilibrium() {
     search_.sort(soil_);
     search_.find(soil_, wall_, neighbours_);
@@ -94,7 +97,8 @@ void Simulation::find_equilibrium() {
     std::vector<double> ax(soil_.count, 0.0);
     std::vector<double> ay(soil_.count, 0.0);
     for (int round = 0; round < equilibrium_rounds; ++round) {
-        friction_.predict(neighbours_, soil_, wall_, dt, predicted_vx_, predicted_vy_, equilibrium_iterations);
+        friction_.predict(neighbours_, soil_, wall_, dt, predicted_vx_, predicted_vy_,
+                          equilibrium_iterations);
         highest_pressure_ =
             pressure_.solve(neighbours_, soil_, wall_, predicted_vx_, predicted_vy_, frozen).highest;
         find_pressure_gradient();
@@ -118,7 +122,8 @@ void Simulation::step() {
     clock_.enter(Phase::friction);
     friction_.predict(neighbours_, soil_, wall_, dt, predicted_vx_, predicted_vy_);
     clock_.enter(Phase::pressure);
-    const PressureSolve solve = pressure_.solve(neighbours_, soil_, wall_, predicted_vx_, predicted_vy_, {.dt = dt});
+    const PressureSolve solve =
+        pressure_.solve(neighbours_, soil_, wall_, predicted_vx_, predicted_vy_, {.dt = dt});
     clock_.enter(Phase::motion);
     correct(dt);
     move(dt);
@@ -134,9 +139,9 @@ void Simulation::step() {
     judge();
 }
 
-/// The least of three limits: the Courant step of eq. 6; the same for the speed that gravity adds within the step;
-/// and the passage of a pressure wave, since the lattice of particles answers a change of pressure explicitly: without
-/// this one a pile at rest fluidises. Lone grains do not set the pace for all.
+/// The least of three limits: the Courant step of eq. 6; the same for the speed that gravity adds within the
+/// step; and the passage of a pressure wave, since the lattice of particles answers a change of pressure
+/// explicitly: without this one a pile at rest fluidises. Lone grains do not set the pace for all.
 double Simulation::choose_time_step() const {
     double speed2 = 0.0;
     for (int i = 0; i < soil_.count; ++i) {
@@ -146,19 +151,21 @@ double Simulation::choose_time_step() const {
     double dt = std::sqrt(run_.courant * dl / run_.gravity);
     if (speed2 > 0.0) dt = std::min(dt, run_.courant * dl / std::sqrt(speed2));
     if (highest_pressure_ > 0.0) {
-        dt = std::min(dt, pressure_wave_courant * dl / std::sqrt(highest_pressure_ / discretisation_.density));
+        dt =
+            std::min(dt, pressure_wave_courant * dl / std::sqrt(highest_pressure_ / discretisation_.density));
     }
     return dt;
 }
 
 void Simulation::find_pressure_gradient() {
     for_each_block(static_cast<int>(neighbours_.blocks.size()), threads_, [&](int b) {
-        pressure_gradient(neighbours_.blocks[b], soil_.count, pressure_.node_pressure().data(), force_x_.data(),
-                          force_y_.data());
+        pair_kernels().pressure_gradient(pair_rows(neighbours_.blocks[b], neighbours_),
+                                         pressure_.node_pressure().data(), force_x_.data(), force_y_.data());
     });
 }
 
-/// Eq. 4. On return the velocity is that of the end of the step, and the work of friction and pressure is booked.
+/// Eq. 4. On return the velocity is that of the end of the step, and the work of friction and pressure is
+/// booked.
 void Simulation::correct(double dt) {
     const double scale = dt / discretisation_.density;
     find_pressure_gradient();
@@ -182,7 +189,8 @@ void Simulation::correct(double dt) {
     pressure_work_ += discretisation_.mass() * pressure;
 }
 
-/// x += dt v^{n+1}: the mean of old and new velocity collapses the pile. A lone grain moves one spacing at most.
+/// x += dt v^{n+1}: the mean of old and new velocity collapses the pile. A lone grain moves one spacing at
+/// most.
 void Simulation::move(double dt) {
     for (int i = 0; i < soil_.count; ++i) {
         double dx = dt * soil_.vx[i];
@@ -198,7 +206,8 @@ void Simulation::move(double dt) {
     }
 }
 
-/// No particle beyond the bed line: it is put back by at most half a spacing, and its velocity into the bed ends.
+/// No particle beyond the bed line: it is put back by at most half a spacing, and its velocity into the bed
+/// ends.
 void Simulation::guard_wall() {
     for (int i = 0; i < soil_.count; ++i) {
         const int boundary = neighbours_.nearest_boundary[i];
@@ -232,24 +241,27 @@ void Simulation::judge() {
         const double dy = soil_.y[i] - start_y_[soil_.id[i]];
         moved2 = std::max(moved2, dx * dx + dy * dy);
         if (!std::isfinite(v2)) {
-            return end(RunStatus::diverged, fmt::format("velocity of particle {} is not a number at t = {:.4g} s",
-                                                        soil_.id[i], time_));
+            return end(
+                RunStatus::diverged,
+                fmt::format("velocity of particle {} is not a number at t = {:.4g} s", soil_.id[i], time_));
         }
         if (soil_.x[i] > bed_.points().back().x() || soil_.x[i] < bed_.points().front().x()) {
-            return end(RunStatus::left_section,
-                       fmt::format("soil passed the {} end of the section at t = {:.4g} s; lengthen the section",
-                                   soil_.x[i] < 0 ? "uphill" : "distal", time_));
+            return end(
+                RunStatus::left_section,
+                fmt::format("soil passed the {} end of the section at t = {:.4g} s; lengthen the section",
+                            soil_.x[i] < 0 ? "uphill" : "distal", time_));
         }
     }
     const double limit = rest_energy * run_.gravity * length_scale_;
     if (0.5 * kinetic / soil_.count > limit) last_motion_ = time_;
     if (time_ - last_motion_ > rest_time * time_scale_) {
-        const bool stood = moved2 < discretisation_.volume();
+        const bool stood = moved2 < std::pow(standing_spacings * discretisation_.spacing, 2);
         return end(stood ? RunStatus::stable : RunStatus::settled);
     }
     if (unconverged_in_a_row_ > 20) {
-        return end(RunStatus::not_converged,
-                   fmt::format("the pressure equation missed its tolerance in 20 steps up to t = {:.4g} s", time_));
+        return end(
+            RunStatus::not_converged,
+            fmt::format("the pressure equation missed its tolerance in 20 steps up to t = {:.4g} s", time_));
     }
     if (time_ >= time_limit_) {
         end(RunStatus::time_limit, fmt::format("still moving at the time limit of {:.4g} s", time_limit_));
@@ -259,9 +271,19 @@ void Simulation::judge() {
 StateView Simulation::state() const {
     const auto count = static_cast<std::size_t>(soil_.count);
     const auto view = [&](const std::vector<double>& field) { return std::span(field).first(count); };
-    return {time_,         &discretisation_, &bed_,          run_.gravity,        view(soil_.x),
-            view(soil_.y), view(soil_.vx),   view(soil_.vy), view(soil_.pressure), view(soil_.sxx),
-            view(soil_.sxy), view(neighbours_.density), std::span(soil_.id).first(count)};
+    return {time_,
+            &discretisation_,
+            &bed_,
+            run_.gravity,
+            view(soil_.x),
+            view(soil_.y),
+            view(soil_.vx),
+            view(soil_.vy),
+            view(soil_.pressure),
+            view(soil_.sxx),
+            view(soil_.sxy),
+            view(neighbours_.density),
+            std::span(soil_.id).first(count)};
 }
 
 Vec2 Simulation::bed_force() const {

@@ -35,7 +35,8 @@ struct EnergyBudget {
     double pressure_work = 0;  ///< given to the motion by pressure since release: the error of the projection
 };
 
-/// Incompressible SPH of Coulomb soil from release to rest. The scene is copied into numbers; nothing of it is kept.
+/// Incompressible SPH of Coulomb soil from release to rest. The scene is copied into numbers; nothing of it
+/// is kept.
 class Simulation {
   public:
     explicit Simulation(const Scene& scene);
@@ -81,8 +82,8 @@ class Simulation {
     Discretisation discretisation_;
     double length_scale_;  ///< sqrt(S), m
     double time_scale_;
-    double floor_;         ///< lowest bed elevation, m
-    double height_;        ///< of the source above the lowest bed, m
+    double floor_;   ///< lowest bed elevation, m
+    double height_;  ///< of the source above the lowest bed, m
     double time_limit_;
 
     Soil soil_;

@@ -2,10 +2,9 @@
 
 #include <vector>
 
-namespace runout {
+#include "engine/pair_kernels.h"
 
-/// Rows of the pair lists are worked on in slices of this many lanes.
-constexpr int lanes = 16;
+namespace runout {
 
 /// Particles of soil, structure of arrays, kept in spatial order. All have the same mass and volume.
 struct Soil {

@@ -17,8 +17,9 @@ struct StateView {
     std::span<const double> vx, vy;    ///< m/s
     std::span<const double> pressure;  ///< Pa
     std::span<const double> sxx, sxy;  ///< Pa
-    std::span<const double> density;   ///< rho / rho_0, where the particles stood at the start of the last step
-    std::span<const int> id;           ///< number given at packing
+    std::span<const double>
+        density;              ///< rho / rho_0, where the particles stood at the start of the last step
+    std::span<const int> id;  ///< number given at packing
 };
 
 }  // namespace runout

@@ -8,7 +8,7 @@ namespace runout {
 enum class RunStatus {
     running,
     settled,        ///< came to rest by the engine's own criterion
-    stable,         ///< came to rest without any particle having moved by one spacing: the source stands
+    stable,         ///< came to rest without any particle having moved by two spacings: the source stands
     time_limit,     ///< still moving at the time limit
     left_section,   ///< soil reached an end of the section
     not_converged,  ///< the pressure equation did not reach its tolerance
@@ -19,14 +19,22 @@ enum class RunStatus {
 /// The word stored and printed: "settled", "time_limit", ...
 constexpr std::string_view to_string(RunStatus status) {
     switch (status) {
-        case RunStatus::running: return "running";
-        case RunStatus::settled: return "settled";
-        case RunStatus::stable: return "stable";
-        case RunStatus::time_limit: return "time_limit";
-        case RunStatus::left_section: return "left_section";
-        case RunStatus::not_converged: return "not_converged";
-        case RunStatus::diverged: return "diverged";
-        case RunStatus::interrupted: return "interrupted";
+        case RunStatus::running:
+            return "running";
+        case RunStatus::settled:
+            return "settled";
+        case RunStatus::stable:
+            return "stable";
+        case RunStatus::time_limit:
+            return "time_limit";
+        case RunStatus::left_section:
+            return "left_section";
+        case RunStatus::not_converged:
+            return "not_converged";
+        case RunStatus::diverged:
+            return "diverged";
+        case RunStatus::interrupted:
+            return "interrupted";
     }
     return "unknown";
 }

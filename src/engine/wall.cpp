@@ -7,7 +7,8 @@
 namespace runout {
 namespace {
 
-constexpr int wall_layers = 4;  // one of boundary particles, three of dummies: deeper than the kernel's support
+constexpr int wall_layers =
+    4;  // one of boundary particles, three of dummies: deeper than the kernel's support
 
 /// Corners of the line at a distance behind the bed, joined by mitres that are cut off at twice the distance.
 Polyline offset_line(const BedLine& bed, double distance) {
@@ -35,8 +36,8 @@ Polyline offset_line(const BedLine& bed, double distance) {
     return corners;
 }
 
-/// Points along a chain, its corners among them. Between two corners they stand evenly, about one spacing apart; the
-/// free ends of an open chain are walked from their corner by exact spacings.
+/// Points along a chain, its corners among them. Between two corners they stand evenly, about one spacing
+/// apart; the free ends of an open chain are walked from their corner by exact spacings.
 Polyline walk(const Polyline& chain, double spacing, bool closed) {
     Polyline points;
     const std::size_t last = chain.size() - 2;
@@ -56,21 +57,23 @@ Polyline walk(const Polyline& chain, double spacing, bool closed) {
             if (free_start) std::reverse(points.begin(), points.end());
         } else {
             const int steps = std::max(1, static_cast<int>(std::lround(ratio)));
-            for (int k = 0; k < steps; ++k) points.push_back(chain[i] + along * (static_cast<double>(k) / steps));
+            for (int k = 0; k < steps; ++k)
+                points.push_back(chain[i] + along * (static_cast<double>(k) / steps));
         }
     }
     return points;
 }
 
-/// Layer of wall particles, without those that a fold of the offset line brought too near to the bed or to each other.
+/// Layer of wall particles, without those that a fold of the offset line brought too near to the bed or to
+/// each other.
 Polyline layer_points(const BedLine& bed, double depth, double spacing) {
     Polyline kept;
     for (const Vec2& point : walk(offset_line(bed, depth), spacing, bed.closed())) {
         if (std::abs(bed.nearest(point).distance) < depth - 0.3 * spacing) continue;
         const std::size_t tail = kept.size() > 64 ? kept.size() - 64 : 0;
-        const bool crowded = std::any_of(kept.begin() + static_cast<long>(tail), kept.end(), [&](const Vec2& other) {
-            return (point - other).norm() < 0.6 * spacing;
-        });
+        const bool crowded =
+            std::any_of(kept.begin() + static_cast<long>(tail), kept.end(),
+                        [&](const Vec2& other) { return (point - other).norm() < 0.6 * spacing; });
         const bool closes = !kept.empty() && (point - kept.front()).norm() < 0.6 * spacing;
         if (!crowded && !closes) kept.push_back(point);
     }
@@ -87,7 +90,8 @@ void place_particles(Wall& wall, const BedLine& bed, double spacing) {
     }
 }
 
-int nearest_boundary(const Wall& wall, const CellGrid& grid, const std::vector<int>& order, double x, double y) {
+int nearest_boundary(const Wall& wall, const CellGrid& grid, const std::vector<int>& order, double x,
+                     double y) {
     int best = 0;
     double best2 = std::numeric_limits<double>::infinity();
     grid.around(x, y, [&](int first, int last) {
@@ -110,7 +114,8 @@ void tie_dummies(Wall& wall, double reach) {
     grid.sort(wall.x, wall.y, static_cast<std::size_t>(wall.boundary_count), order);
     wall.group.resize(wall.x.size());
     for (int q = 0; q < wall.size(); ++q) {
-        wall.group[q] = q < wall.boundary_count ? q : nearest_boundary(wall, grid, order, wall.x[q], wall.y[q]);
+        wall.group[q] =
+            q < wall.boundary_count ? q : nearest_boundary(wall, grid, order, wall.x[q], wall.y[q]);
     }
 }
 

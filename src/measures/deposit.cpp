@@ -85,13 +85,15 @@ DepositProfile deposit_profile(const StateView& state, const std::vector<char>& 
     for (std::size_t i = 0; i < body.size(); ++i) {
         if (!body[i]) continue;
         add_to_bins(profile, first, state.x[i], dl * dl);
-        auto& bin = profile.bins[static_cast<std::size_t>(std::floor(state.x[i] / profile.bin_width)) - first];
+        auto& bin =
+            profile.bins[static_cast<std::size_t>(std::floor(state.x[i] / profile.bin_width)) - first];
         bin.by_top = std::max(bin.by_top, state.y[i] + 0.5 * dl - state.bed->elevation(state.x[i]));
     }
     return profile;
 }
 
-double contiguous_front(const DepositProfile& profile, double DepositProfile::Bin::*thickness, double threshold) {
+double contiguous_front(const DepositProfile& profile, double DepositProfile::Bin::*thickness,
+                        double threshold) {
     const auto& bins = profile.bins;
     if (bins.empty()) return 0.0;
     std::size_t k = static_cast<std::size_t>(
@@ -116,7 +118,8 @@ double deposit_area(const StateView& state, const std::vector<char>& body) {
     double area = 0.0;
     for (std::size_t i = 0; i < body.size(); ++i) {
         if (!body[i]) continue;
-        area += state.discretisation->volume() / (state.density[i] < surface_density ? 1.0 : state.density[i]);
+        area +=
+            state.discretisation->volume() / (state.density[i] < surface_density ? 1.0 : state.density[i]);
     }
     return area;
 }

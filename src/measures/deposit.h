@@ -6,7 +6,8 @@
 
 namespace runout {
 
-/// Soil that hangs together, over chainage. Bins of two spacings, edges at multiples of that from the toe; local frame.
+/// Soil that hangs together, over chainage. Bins of two spacings, edges at multiples of that from the toe;
+/// local frame.
 struct DepositProfile {
     struct Bin {
         double x = 0;        ///< middle of the bin, m
@@ -23,14 +24,17 @@ std::vector<char> connected_body(const StateView& state);
 
 DepositProfile deposit_profile(const StateView& state, const std::vector<char>& body);
 
-/// Distal end x of the contiguous deposit thicker than `threshold`, reckoned from its thickest bin and interpolated
-/// between bins; `thickness` picks the definition. The thickest bin's middle if nothing is that thick.
-double contiguous_front(const DepositProfile& profile, double DepositProfile::Bin::*thickness, double threshold);
+/// Distal end x of the contiguous deposit thicker than `threshold`, reckoned from its thickest bin and
+/// interpolated between bins; `thickness` picks the definition. The thickest bin's middle if nothing is that
+/// thick.
+double contiguous_front(const DepositProfile& profile, double DepositProfile::Bin::*thickness,
+                        double threshold);
 
 /// Least x that has at most `share` of the mass beyond it.
 double mass_front(const StateView& state, double share);
 
-/// Area of the connected deposit, m2: volumes of its particles at the density they have (1 at the free surface).
+/// Area of the connected deposit, m2: volumes of its particles at the density they have (1 at the free
+/// surface).
 double deposit_area(const StateView& state, const std::vector<char>& body);
 
 /// Length along the bed from the toe (the origin) to x, negative uphill of it.

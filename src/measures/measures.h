@@ -8,26 +8,26 @@
 
 namespace runout {
 
-/// What is said of a finished run. Names carry their units and are the same here, in the database and in JSON.
-/// NaN where a measure does not exist (a reach angle of a source that stands), stored as NULL.
+/// What is said of a finished run. Names carry their units and are the same here, in the database and in
+/// JSON. NaN where a measure does not exist (a reach angle of a source that stands), stored as NULL.
 struct Measures {
-    double run_out_m = 0;             ///< L_inf: contiguous front by top, along the run-out surface from the toe
-    double run_out_normalised = 0;    ///< L_inf / sqrt(S_inf)
-    double front_by_mass_m = 0;       ///< the same front read off the thickness by mass
-    double front_mass_995_m = 0;      ///< distance from the toe that 99.5 % of the mass does not pass
-    double front_thickness_m = 0;     ///< threshold of the contiguous front
-    double reach_angle_deg = 0;       ///< from the head of the source to the distal margin
-    double source_area_m2 = 0;        ///< S_0
-    double deposit_area_m2 = 0;       ///< S_inf
-    double front_area_m2 = 0;         ///< S_front
-    double front_area_ratio = 0;      ///< S_front / S_0
-    double drop_height_m = 0;         ///< H_d to its datum
-    double drop_height_normalised = 0;///< H_d / sqrt(S_inf)
-    double deposit_height_m = 0;      ///< greatest thickness by top
-    double toe_thickness_m = 0;       ///< thickness by top at the toe of the cut
-    double peak_front_speed_m_s = 0;  ///< greatest speed of the 99.5 % mass point
-    double time_to_rest_s = 0;        ///< simulated time at which motion ended
-    double stray_particles = 0;       ///< particles not connected to the deposit
+    double run_out_m = 0;  ///< L_inf: contiguous front by top, along the run-out surface from the toe
+    double run_out_normalised = 0;      ///< L_inf / sqrt(S_inf)
+    double front_by_mass_m = 0;         ///< the same front read off the thickness by mass
+    double front_mass_995_m = 0;        ///< distance from the toe that 99.5 % of the mass does not pass
+    double front_thickness_m = 0;       ///< threshold of the contiguous front
+    double reach_angle_deg = 0;         ///< from the head of the source to the distal margin
+    double source_area_m2 = 0;          ///< S_0
+    double deposit_area_m2 = 0;         ///< S_inf
+    double front_area_m2 = 0;           ///< S_front
+    double front_area_ratio = 0;        ///< S_front / S_0
+    double drop_height_m = 0;           ///< H_d to its datum
+    double drop_height_normalised = 0;  ///< H_d / sqrt(S_inf)
+    double deposit_height_m = 0;        ///< greatest thickness by top
+    double toe_thickness_m = 0;         ///< thickness by top at the toe of the cut
+    double peak_front_speed_m_s = 0;    ///< greatest speed of the 99.5 % mass point
+    double time_to_rest_s = 0;          ///< simulated time at which motion ended
+    double stray_particles = 0;         ///< particles not connected to the deposit
 };
 
 /// One column of Measures: drives the database, JSON and text alike.
@@ -41,10 +41,10 @@ std::span<const MeasureField> measure_fields();
 /// State of the whole mass at one instant. Energies per metre of width.
 struct SeriesRow {
     double time_s = 0;
-    double front_m = 0;              ///< 99.5 % mass point, along the run-out surface from the toe
+    double front_m = 0;  ///< 99.5 % mass point, along the run-out surface from the toe
     double kinetic_energy_j_m = 0;
-    double potential_energy_j_m = 0; ///< above the toe
-    double plastic_work_j_m = 0;     ///< dissipated by friction since release
+    double potential_energy_j_m = 0;  ///< above the toe
+    double plastic_work_j_m = 0;      ///< dissipated by friction since release
     double mass_kg_m = 0;
 };
 
@@ -60,11 +60,11 @@ struct DepositRow {
 struct RunWork {
     long particles = 0;
     long boundary_particles = 0;
-    double particle_spacing_m = 0;   ///< effective: particles * spacing^2 = source area
+    double particle_spacing_m = 0;  ///< effective: particles * spacing^2 = source area
     long steps = 0;
-    long pressure_iterations = 0;    ///< CG iterations, all steps
+    long pressure_iterations = 0;  ///< CG iterations, all steps
     long wall_guard_activations = 0;
-    double highest_density_ratio = 0;///< densest particle at any instant / rho_0
+    double highest_density_ratio = 0;  ///< densest particle at any instant / rho_0
     double simulated_s = 0;
     double wall_s = 0;
     double cpu_s = 0;
@@ -80,7 +80,7 @@ struct PhaseTime {
 /// Everything that is stored of a run.
 struct RunResult {
     RunStatus status = RunStatus::running;
-    std::string status_detail;       ///< one sentence when the run did not settle
+    std::string status_detail;  ///< one sentence when the run did not settle
     Measures measures;
     RunWork work;
     std::vector<SeriesRow> series;

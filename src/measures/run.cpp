@@ -56,7 +56,8 @@ Measures measures_at_rest(const Scene& scene, const Simulation& simulation, cons
     const BedLine& bed = *state.bed;
     const Source& source = scene.source;
     Measures m;
-    m.front_thickness_m = scene.run.front_thickness > 0 ? scene.run.front_thickness : 0.03 * std::sqrt(source.area);
+    m.front_thickness_m =
+        scene.run.front_thickness > 0 ? scene.run.front_thickness : 0.03 * std::sqrt(source.area);
     const double front = contiguous_front(profile, &DepositProfile::Bin::by_top, m.front_thickness_m);
     const double by_mass = contiguous_front(profile, &DepositProfile::Bin::by_mass, m.front_thickness_m);
     const bool stood = simulation.status() == RunStatus::stable;
@@ -97,7 +98,8 @@ RunWork work_of(const Simulation& simulation) {
     return work;
 }
 
-/// Share of the run that lies behind: by the way from the start's energy to rest, or by time if that is longer.
+/// Share of the run that lies behind: by the way from the start's energy to rest, or by time if that is
+/// longer.
 double fraction_done(const Simulation& simulation) {
     const double scale = 12.0 * simulation.time_scale();  // most masses rest by then
     return std::min(0.99, std::max(simulation.time() / simulation.time_limit(),
@@ -137,7 +139,8 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
     result.series = series.rows();
     result.deposit = rows_of(profile, scene.profile);
     for (int p = 0; p < static_cast<int>(Phase::count); ++p) {
-        result.phases.push_back({to_string(static_cast<Phase>(p)), simulation.clock().seconds(static_cast<Phase>(p))});
+        result.phases.push_back(
+            {to_string(static_cast<Phase>(p)), simulation.clock().seconds(static_cast<Phase>(p))});
     }
     result.work.wall_s = seconds_since(start);
     result.work.cpu_s = cpu_seconds() - cpu_start;

@@ -10,9 +10,9 @@ namespace runout {
 
 /// How far a run has come, for a progress bar.
 struct Progress {
-    double time_s = 0;          ///< simulated
+    double time_s = 0;  ///< simulated
     double time_limit_s = 0;
-    double fraction = 0;        ///< of the expected run, 0 to 1, from the energy still to be lost
+    double fraction = 0;  ///< of the expected run, 0 to 1, from the energy still to be lost
     long steps = 0;
     double wall_s = 0;
 };
@@ -23,7 +23,8 @@ struct RunControl {
     const std::atomic<bool>* interrupt = nullptr;      ///< set to true to end the run as `interrupted`
 };
 
-/// Simulates the scene to its end and reads off the measures. Never throws for what the physics does: the status says it.
+/// Simulates the scene to its end and reads off the measures. Never throws for what the physics does: the
+/// status says it.
 RunResult run_scene(const Scene& scene, const RunControl& control = {});
 
 }  // namespace runout

@@ -9,10 +9,14 @@ namespace runout {
 
 enum class TableFormat { text, csv, json };
 
-/// The stored runs as one table, a line each. Runs that did not settle show their status in place of numbers.
+// What is printed of stored runs. Every text ends with a newline. Of a run that is not a result (is_result in
+// engine/status.h) no measure is printed anywhere: its status stands in their place, and the database has the
+// rest.
+
+/// The runs as one table, a line each. CSV and JSON have all columns, named as in the database.
 std::string run_table(const std::vector<StoredRun>& runs, TableFormat format);
 
-/// One JSON object with every measure, keys as in the database. NaN becomes null.
+/// One JSON object with every measure, keys as in the database. What does not exist is null.
 std::string run_json(const StoredRun& run);
 
 /// A few lines for people: how far, how thick, how sure, how long it took.

@@ -9,41 +9,63 @@
 
 namespace runout {
 
-/// Identity of a scenario: SHA-256 (hex) over everything that determines its result (ground, source, material, run
-/// settings that change numbers, program version); not names, paths, thread count.
+/// Identity of a scenario: SHA-256 (hex) over everything that determines its result (ground, source,
+/// material, run settings that change numbers, program version); not names, paths, thread count.
 std::string scenario_hash(const Scene& scene);
 
-/// One stored run with its scenario, as the tables and reports read it.
+/// One run with its scenario, as the tables and reports read it.
 struct StoredRun {
-    long run_id = 0;
+    long run_id = 0;  ///< 0: not stored
     std::string name;
     std::string section_origin;
     std::string source_type;
+    double discontinuity_angle_deg = 0;  ///< of the plane that bounds front_area_m2
+    std::string drop_height_datum;       ///< point of the source that drop_height_m is measured to
     double slope_angle_deg = 0;
     double friction_angle_deg = 0;
     std::string scenario_hash;
-    std::string started_utc;
+    std::string started_utc;  ///< ISO 8601, "2024-05-31T09:30:00Z"
+    std::string ended_utc;
+    std::string program_version;
+    std::string program_revision;
+    std::string compiler;
+    int host_threads = 0;  ///< hardware threads of the machine that ran it
     RunStatus status = RunStatus::running;
     std::string status_detail;
     Measures measures;
     RunWork work;
 };
 
-/// The results database. The file is created on the first write and never half written: one transaction a run.
-/// Throws InputError: not a Runout database, a newer version, an unwritable place.
+/// The run that has just ended, by this program on this machine, as `Store::add` writes it. For telling the
+/// result when there is no database, or when it could not be written.
+StoredRun describe_run(const Scene& scene, const RunResult& result);
+
+/// The results database, format in db/schema.sql. One transaction a run, so nothing is ever half written; any
+/// number of programs may write one file.
 class Store {
   public:
     enum class Mode { read, write };
+
+    /// Opens `path` and, for writing, makes sure that it can be written: it is created with its tables if it
+    /// does not exist, and brought up to date if it is of an older version. For reading it must exist. Throws
+    /// InputError: no such file, not a Runout database, a newer version, an unwritable place. It then leaves
+    /// the disk as it was.
     Store(const std::string& path, Mode mode);
     ~Store();
     Store(const Store&) = delete;
     Store& operator=(const Store&) = delete;
 
-    /// Returns the run's id.
+    /// Stores a run that has ended and returns its id. Throws InputError when the disk does not let it; the
+    /// database is then as before.
     long add(const Scene& scene, const RunResult& result);
+
+    /// All runs in the order they were stored.
     [[nodiscard]] std::vector<StoredRun> runs() const;
+    /// Throws InputError when there is no such run.
+    [[nodiscard]] StoredRun run(long run_id) const;
     [[nodiscard]] std::vector<SeriesRow> series(long run_id) const;
     [[nodiscard]] std::vector<DepositRow> deposit(long run_id) const;
+    [[nodiscard]] std::vector<PhaseTime> phases(long run_id) const;
 
   private:
     struct Impl;

@@ -1,0 +1,207 @@
+-- The results database of Runout: every simulated run with the question it answers.
+--
+-- This file is the only place where the format is written down; the build embeds it in the program.
+-- Lengths are metres, angles degrees, the plane of the section is one metre wide: areas are m2, masses
+-- and energies are per metre of width. NULL stands for a number that does not exist, such as the reach
+-- angle of a source that stands.
+--
+-- A change of the format raises user_version and adds a step to src/store/migrations.cpp.
+
+PRAGMA application_id = 1381322319;  -- the letters RUNO
+PRAGMA user_version = 1;
+
+-- The ground along a section before the failure. Two files with the same ground share one row, so the name
+-- of the file belongs to the run.
+CREATE TABLE section (
+    section_id              INTEGER PRIMARY KEY,
+    section_hash            TEXT NOT NULL UNIQUE,   -- SHA-256 of points and frame
+    toe_chainage_m          REAL NOT NULL,          -- where the origin of the local frame lies in the file
+    toe_elevation_m         REAL NOT NULL,
+    descends_with_chainage  INTEGER NOT NULL CHECK (descends_with_chainage IN (0, 1)),
+    crest_index             INTEGER NOT NULL,       -- point_index of the upper edge of the cut
+    toe_index               INTEGER NOT NULL,       -- point_index of its foot, at (0, 0)
+    slope_angle_deg         REAL NOT NULL           -- mean inclination from toe to crest
+) STRICT;
+
+-- Local frame: origin at the toe, x towards the run-out, y upwards; from the uphill end to the distal end.
+CREATE TABLE section_point (
+    section_id   INTEGER NOT NULL REFERENCES section ON DELETE CASCADE,
+    point_index  INTEGER NOT NULL,
+    x_m          REAL NOT NULL,
+    y_m          REAL NOT NULL,
+    PRIMARY KEY (section_id, point_index)
+) STRICT, WITHOUT ROWID;
+
+-- What moves. The discontinuity angle and the datum of the drop height are part of the definition, because
+-- front area and drop height mean nothing without them.
+CREATE TABLE source (
+    source_id                INTEGER PRIMARY KEY,
+    section_id               INTEGER NOT NULL REFERENCES section,
+    source_hash              TEXT NOT NULL UNIQUE,  -- SHA-256 of the section and everything below
+    source_type              TEXT NOT NULL,         -- rectangle, A, B, C, polygon, slip_surface
+    area_m2                  REAL NOT NULL,         -- S_0
+    front_area_m2            REAL NOT NULL,         -- S_front
+    discontinuity_angle_deg  REAL NOT NULL,         -- theta_id, the line that bounds S_front
+    exit_x_m                 REAL NOT NULL,         -- P, where the slip surface daylights on the face
+    exit_y_m                 REAL NOT NULL,
+    head_x_m                 REAL NOT NULL,         -- upper end on the ground: datum of the reach angle
+    head_y_m                 REAL NOT NULL,
+    drop_height_m            REAL NOT NULL,         -- H_d above the toe, to its datum
+    drop_height_datum        TEXT NOT NULL CHECK (drop_height_datum IN ('head', 'base'))
+) STRICT;
+CREATE INDEX source_of_section ON source (section_id);
+
+-- Outline: counter-clockwise, first point not repeated. Bed: the ground left when the source has gone.
+CREATE TABLE source_point (
+    source_id    INTEGER NOT NULL REFERENCES source ON DELETE CASCADE,
+    part         TEXT NOT NULL CHECK (part IN ('outline', 'bed')),
+    point_index  INTEGER NOT NULL,
+    x_m          REAL NOT NULL,
+    y_m          REAL NOT NULL,
+    PRIMARY KEY (source_id, part, point_index)
+) STRICT, WITHOUT ROWID;
+
+-- A question: this source, this soil, simulated like this. Zero in a setting means that the program chooses.
+CREATE TABLE scenario (
+    scenario_id          INTEGER PRIMARY KEY,
+    scenario_hash        TEXT NOT NULL UNIQUE,      -- SHA-256 of all that determines the result
+    source_id            INTEGER NOT NULL REFERENCES source,
+    density_kg_m3        REAL NOT NULL,
+    friction_angle_deg   REAL NOT NULL,
+    particle_spacing_m   REAL NOT NULL,             -- as asked for; 0: from resolution
+    resolution           REAL NOT NULL,             -- sqrt(S) / particle spacing
+    gravity_m_s2         REAL NOT NULL,
+    courant              REAL NOT NULL,             -- C_max of the step
+    smoothing_ratio      REAL NOT NULL,             -- h / particle spacing
+    friction_scheme      TEXT NOT NULL CHECK (friction_scheme IN ('projected', 'explicit')),
+    friction_iterations  INTEGER NOT NULL,
+    pressure_tolerance   REAL NOT NULL,             -- relative residual of the pressure equation
+    time_limit_s         REAL NOT NULL,             -- simulated; 0: 60 sqrt(H/g)
+    front_thickness_m    REAL NOT NULL              -- threshold of the contiguous front; 0: from sqrt(S)
+) STRICT;
+CREATE INDEX scenario_of_source ON scenario (source_id);
+
+-- How a run can end. Only runs with is_result = 1 may stand in a table or on a map.
+CREATE TABLE run_status (
+    status     TEXT PRIMARY KEY,
+    is_result  INTEGER NOT NULL CHECK (is_result IN (0, 1)),
+    meaning    TEXT NOT NULL
+) STRICT, WITHOUT ROWID;
+INSERT INTO run_status VALUES
+    ('settled',       1, 'came to rest by itself'),
+    ('stable',        1, 'the source stands at this strength: no run-out'),
+    ('time_limit',    0, 'still moving at the time limit'),
+    ('left_section',  0, 'soil reached an end of the section'),
+    ('not_converged', 0, 'the pressure equation did not reach its tolerance'),
+    ('diverged',      0, 'an invariant of the physics was violated'),
+    ('interrupted',   0, 'stopped by the user');
+
+-- One simulation of a scenario: how it ended, who computed it, and what it took.
+CREATE TABLE run (
+    run_id                  INTEGER PRIMARY KEY AUTOINCREMENT,  -- the id of a deleted run is not given again
+    scenario_id             INTEGER NOT NULL REFERENCES scenario,
+    name                    TEXT NOT NULL,
+    section_origin          TEXT NOT NULL,          -- file the section was read from
+    started_utc             TEXT NOT NULL,          -- ISO 8601
+    ended_utc               TEXT NOT NULL,
+    status                  TEXT NOT NULL REFERENCES run_status,
+    status_detail           TEXT NOT NULL,          -- what went wrong, when and where; empty when it settled
+    program_version         TEXT NOT NULL,
+    program_revision        TEXT NOT NULL,
+    compiler                TEXT NOT NULL,
+    host_threads            INTEGER NOT NULL,       -- hardware threads of the machine
+    particles               INTEGER NOT NULL,
+    boundary_particles      INTEGER NOT NULL,
+    particle_spacing_m      REAL,                   -- effective: particles * spacing^2 = source area
+    steps                   INTEGER NOT NULL,
+    pressure_iterations     INTEGER NOT NULL,       -- CG iterations of all steps
+    wall_guard_activations  INTEGER NOT NULL,
+    highest_density_ratio   REAL,                   -- densest particle at any instant / rho_0
+    simulated_s             REAL,
+    wall_s                  REAL,
+    cpu_s                   REAL,
+    threads                 INTEGER NOT NULL        -- used by this run
+) STRICT;
+CREATE INDEX run_of_scenario ON run (scenario_id);
+
+-- Seconds spent in each phase of the step.
+CREATE TABLE phase_time (
+    run_id       INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    phase        TEXT NOT NULL,
+    phase_index  INTEGER NOT NULL,      -- its place in the step
+    wall_s       REAL,
+    PRIMARY KEY (run_id, phase)
+) STRICT, WITHOUT ROWID;
+
+-- What is said of a run, one row each. For a run that is not a result these are the last readings only.
+CREATE TABLE measure (
+    run_id                  INTEGER PRIMARY KEY REFERENCES run ON DELETE CASCADE,
+    run_out_m               REAL,   -- L_inf: contiguous front by top, along the run-out surface from the toe
+    run_out_normalised      REAL,   -- L_inf / sqrt(S_inf)
+    front_by_mass_m         REAL,   -- the same front read off the thickness by mass
+    front_mass_995_m        REAL,   -- distance from the toe that 99.5 % of the mass does not pass
+    front_thickness_m       REAL,   -- threshold of the contiguous front
+    reach_angle_deg         REAL,   -- from the head of the source to the distal margin
+    source_area_m2          REAL,   -- S_0
+    deposit_area_m2         REAL,   -- S_inf
+    front_area_m2           REAL,   -- S_front
+    front_area_ratio        REAL,   -- S_front / S_0
+    drop_height_m           REAL,   -- H_d to its datum
+    drop_height_normalised  REAL,   -- H_d / sqrt(S_inf)
+    deposit_height_m        REAL,   -- greatest thickness by top
+    toe_thickness_m         REAL,   -- thickness by top at the toe of the cut
+    peak_front_speed_m_s    REAL,   -- greatest speed of the 99.5 % mass point
+    time_to_rest_s          REAL,   -- simulated time at which motion ended
+    stray_particles         REAL    -- particles not connected to the deposit
+) STRICT;
+
+-- The whole mass over simulated time.
+CREATE TABLE series (
+    run_id                INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index             INTEGER NOT NULL,
+    time_s                REAL,
+    front_m               REAL,     -- 99.5 % mass point, along the run-out surface from the toe
+    kinetic_energy_j_m    REAL,
+    potential_energy_j_m  REAL,     -- above the toe
+    plastic_work_j_m      REAL,     -- dissipated by friction since release
+    mass_kg_m             REAL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT, WITHOUT ROWID;
+
+-- The deposit when the run ended, chainage and elevation as in the section file.
+CREATE TABLE deposit_profile (
+    run_id               INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index            INTEGER NOT NULL,
+    chainage_m           REAL,
+    bed_elevation_m      REAL,
+    thickness_by_mass_m  REAL,      -- soil area per width of the bin
+    thickness_by_top_m   REAL,      -- highest particle of the connected deposit + half a spacing
+    PRIMARY KEY (run_id, row_index)
+) STRICT, WITHOUT ROWID;
+
+-- For people who open this file in a database browser or QGIS: the ground in the coordinates of its file.
+CREATE VIEW section_ground AS
+SELECT section_id,
+       point_index,
+       toe_chainage_m + CASE descends_with_chainage WHEN 1 THEN x_m ELSE -x_m END AS chainage_m,
+       toe_elevation_m + y_m AS elevation_m
+FROM section_point JOIN section USING (section_id);
+
+-- And the runs whose numbers may be used, with the words that say what was asked.
+CREATE VIEW result AS
+SELECT run.name,
+       run.section_origin,
+       source.source_type,
+       source.discontinuity_angle_deg,
+       source.drop_height_datum,
+       section.slope_angle_deg,
+       scenario.friction_angle_deg,
+       run.status,
+       measure.*
+FROM run
+JOIN run_status USING (status)
+JOIN scenario USING (scenario_id)
+JOIN source USING (source_id)
+JOIN section USING (section_id)
+JOIN measure USING (run_id)
+WHERE run_status.is_result = 1;

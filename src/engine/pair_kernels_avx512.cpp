@@ -1,0 +1,7 @@
+#include "engine/pair_kernels_impl.h"
+
+namespace runout {
+
+const PairKernels pair_kernels_avx512 = kernels::table("AVX-512");
+
+}  // namespace runout

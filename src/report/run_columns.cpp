@@ -1,0 +1,58 @@
+#include "report/run_columns.h"
+
+#include <cmath>
+
+#include "store/columns.h"
+
+namespace runout {
+namespace {
+
+Cell number(double value) {
+    return std::isfinite(value) ? Cell(value) : Cell();
+}
+Cell number(long value) {
+    return value;
+}
+Cell number(int value) {
+    return static_cast<long>(value);
+}
+
+void append_measures(std::vector<RunColumn>& columns, const StoredRun& run) {
+    for (const MeasureField& field : measure_fields())
+        columns.push_back({field.name, is_result(run.status) ? number(run.measures.*field.value) : Cell()});
+}
+
+void append_work(std::vector<RunColumn>& columns, const RunWork& work) {
+    for (const WorkColumn& column : work_columns())
+        columns.push_back(
+            {column.name, std::visit([&](auto member) { return number(work.*member); }, column.member)});
+}
+
+}  // namespace
+
+std::vector<RunColumn> run_columns(const StoredRun& run) {
+    std::vector<RunColumn> columns = {
+        {"run_id", run.run_id > 0 ? Cell(run.run_id) : Cell()},
+        {"name", run.name},
+        {"status", std::string(to_string(run.status))},
+        {"status_detail", run.status_detail},
+        {"section_origin", run.section_origin},
+        {"source_type", run.source_type},
+        {"discontinuity_angle_deg", number(run.discontinuity_angle_deg)},
+        {"drop_height_datum", run.drop_height_datum},
+        {"slope_angle_deg", number(run.slope_angle_deg)},
+        {"friction_angle_deg", number(run.friction_angle_deg)},
+    };
+    append_measures(columns, run);
+    append_work(columns, run.work);
+    columns.push_back({"started_utc", run.started_utc});
+    columns.push_back({"ended_utc", run.ended_utc});
+    columns.push_back({"program_version", run.program_version});
+    columns.push_back({"program_revision", run.program_revision});
+    columns.push_back({"compiler", run.compiler});
+    columns.push_back({"host_threads", number(run.host_threads)});
+    columns.push_back({"scenario_hash", run.scenario_hash});
+    return columns;
+}
+
+}  // namespace runout

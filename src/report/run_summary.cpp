@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "report/table.h"
+
+namespace runout {
+namespace {
+
+// Below 20 particles along sqrt(S) the run-out of a column changes by more than 3 % on refinement.
+constexpr double coarse_particles_along_root_area = 20;
+
+std::string title(const StoredRun& run) {
+    return run.name.empty() ? run.section_origin : run.name;
+}
+
+std::string duration(double seconds) {
+    if (seconds < 120) return fmt::format("{:.3g} s", seconds);
+    return fmt::format("{:.0f} min {:.0f} s", std::floor(seconds / 60), std::fmod(std::floor(seconds), 60));
+}
+
+std::string front_line(const StoredRun& run) {
+    const Measures& m = run.measures;
+    if (!(m.run_out_m > 0)) return fmt::format("{}: the debris does not pass the toe.\n", title(run));
+    return fmt::format(
+        "{}: the front stops {:.4g} m past the toe, {:.3g} times the square root of the deposit's area.\n",
+        title(run), m.run_out_m, m.run_out_normalised);
+}
+
+std::string deposit_lines(const StoredRun& run) {
+    const Measures& m = run.measures;
+    std::string text;
+    if (std::isfinite(m.reach_angle_deg)) text += fmt::format("Reach angle {:.1f} deg. ", m.reach_angle_deg);
+    text += fmt::format("Deposit up to {:.3g} m thick, {:.3g} m at the toe.\n", m.deposit_height_m,
+                        m.toe_thickness_m);
+    text += fmt::format("Front speed up to {:.3g} m/s; at rest after {:.3g} s.\n", m.peak_front_speed_m_s,
+                        m.time_to_rest_s);
+    if (m.stray_particles > 0)
+        text += fmt::format("{:.0f} stray particle{} apart from the deposit, not counted in it.\n",
+                            m.stray_particles, m.stray_particles == 1 ? "" : "s");
+    return text;
+}
+
+std::string source_line(const StoredRun& run) {
+    const Measures& m = run.measures;
+    return fmt::format(
+        "Source {}: {:.4g} m2, drop height {:.4g} m, S_front/S {:.3f}; slope {:.1f} deg, friction {:.1f} "
+        "deg.\n",
+        run.source_type, m.source_area_m2, m.drop_height_m, m.front_area_ratio, run.slope_angle_deg,
+        run.friction_angle_deg);
+}
+
+std::string work_line(const StoredRun& run) {
+    const RunWork& w = run.work;
+    return fmt::format("{} particles of {:.3g} m, {} steps, {} ({} of CPU time).\n", w.particles,
+                       w.particle_spacing_m, w.steps, duration(w.wall_s), duration(w.cpu_s));
+}
+
+std::string resolution_line(const StoredRun& run) {
+    const double along = std::sqrt(run.measures.source_area_m2) / run.work.particle_spacing_m;
+    if (along < coarse_particles_along_root_area)
+        return fmt::format(
+            "Coarse: only {:.0f} particles along sqrt(S); a finer run may move the front by several per "
+            "cent.\n",
+            along);
+    if (run.measures.front_thickness_m < run.work.particle_spacing_m)
+        return fmt::format(
+            "Coarse: the front is read where the deposit is {:.3g} m thick, less than one particle.\n",
+            run.measures.front_thickness_m);
+    return {};
+}
+
+std::string reason(RunStatus status) {
+    switch (status) {
+        case RunStatus::running:
+            return "it has not ended";
+        case RunStatus::time_limit:
+            return "it was still moving at the time limit";
+        case RunStatus::left_section:
+            return "soil reached an end of the section";
+        case RunStatus::not_converged:
+            return "the pressure equation did not reach its tolerance";
+        case RunStatus::diverged:
+            return "an invariant of the physics was violated";
+        case RunStatus::interrupted:
+            return "it was stopped";
+        case RunStatus::settled:
+        case RunStatus::stable:
+            break;
+    }
+    return {};
+}
+
+std::string failed_lines(const StoredRun& run) {
+    const std::string detail = run.status_detail.empty() ? "" : " (" + run.status_detail + ")";
+    return fmt::format("{}: no result: {}{}.\n", title(run), reason(run.status), detail) + work_line(run);
+}
+
+}  // namespace
+
+std::string run_summary(const StoredRun& run) {
+    if (!is_result(run.status)) return failed_lines(run);
+    if (run.status == RunStatus::stable)
+        return fmt::format("{}: the source stands at this strength: no run-out.\n", title(run)) +
+               source_line(run) + work_line(run);
+    return front_line(run) + deposit_lines(run) + source_line(run) + work_line(run) + resolution_line(run);
+}
+
+}  // namespace runout

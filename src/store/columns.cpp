@@ -1,0 +1,54 @@
+#include "store/columns.h"
+
+#include <array>
+
+namespace runout {
+namespace {
+
+constexpr std::array work = {
+    WorkColumn{"particles", &RunWork::particles},
+    WorkColumn{"boundary_particles", &RunWork::boundary_particles},
+    WorkColumn{"particle_spacing_m", &RunWork::particle_spacing_m},
+    WorkColumn{"steps", &RunWork::steps},
+    WorkColumn{"pressure_iterations", &RunWork::pressure_iterations},
+    WorkColumn{"wall_guard_activations", &RunWork::wall_guard_activations},
+    WorkColumn{"highest_density_ratio", &RunWork::highest_density_ratio},
+    WorkColumn{"simulated_s", &RunWork::simulated_s},
+    WorkColumn{"wall_s", &RunWork::wall_s},
+    WorkColumn{"cpu_s", &RunWork::cpu_s},
+    WorkColumn{"threads", &RunWork::threads},
+};
+
+constexpr std::array series = {
+    RealColumn<SeriesRow>{"time_s", &SeriesRow::time_s},
+    RealColumn<SeriesRow>{"front_m", &SeriesRow::front_m},
+    RealColumn<SeriesRow>{"kinetic_energy_j_m", &SeriesRow::kinetic_energy_j_m},
+    RealColumn<SeriesRow>{"potential_energy_j_m", &SeriesRow::potential_energy_j_m},
+    RealColumn<SeriesRow>{"plastic_work_j_m", &SeriesRow::plastic_work_j_m},
+    RealColumn<SeriesRow>{"mass_kg_m", &SeriesRow::mass_kg_m},
+};
+
+constexpr std::array deposit = {
+    RealColumn<DepositRow>{"chainage_m", &DepositRow::chainage_m},
+    RealColumn<DepositRow>{"bed_elevation_m", &DepositRow::bed_elevation_m},
+    RealColumn<DepositRow>{"thickness_by_mass_m", &DepositRow::thickness_by_mass_m},
+    RealColumn<DepositRow>{"thickness_by_top_m", &DepositRow::thickness_by_top_m},
+};
+
+// A member that is added to one of these structs and not to its list would be lost without a word.
+static_assert(sizeof(SeriesRow) == series.size() * sizeof(double));
+static_assert(sizeof(DepositRow) == deposit.size() * sizeof(double));
+
+}  // namespace
+
+std::span<const WorkColumn> work_columns() {
+    return work;
+}
+std::span<const RealColumn<SeriesRow>> series_columns() {
+    return series;
+}
+std::span<const RealColumn<DepositRow>> deposit_columns() {
+    return deposit;
+}
+
+}  // namespace runout

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <variant>
+
+#include "measures/measures.h"
+
+namespace runout {
+
+// The members of the result structs by the names they have in db/schema.sql and in JSON. Writing, reading and
+// reporting go through these lists; the lists of Measures is measure_fields().
+
+/// One column of RunWork.
+struct WorkColumn {
+    const char* name;
+    std::variant<long RunWork::*, int RunWork::*, double RunWork::*> member;
+};
+std::span<const WorkColumn> work_columns();
+
+/// One column of a table whose values are all real numbers.
+template <class Row>
+struct RealColumn {
+    const char* name;
+    double Row::*value;
+};
+std::span<const RealColumn<SeriesRow>> series_columns();
+std::span<const RealColumn<DepositRow>> deposit_columns();
+
+}  // namespace runout

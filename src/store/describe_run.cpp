@@ -1,0 +1,50 @@
+#include <fmt/chrono.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "core/units.h"
+#include "core/version.h"
+#include "store/store.h"
+
+namespace runout {
+namespace {
+
+using Clock = std::chrono::system_clock;
+
+std::string utc(Clock::time_point time) {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%S}Z", fmt::gmtime(Clock::to_time_t(time)));
+}
+
+Clock::duration wall_time(const RunWork& work) {
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(work.wall_s));
+}
+
+}  // namespace
+
+StoredRun describe_run(const Scene& scene, const RunResult& result) {
+    const Clock::time_point now = Clock::now();
+    StoredRun run;
+    run.name = scene.name;
+    run.section_origin = scene.profile.origin;
+    run.source_type = to_string(scene.source.type);
+    run.discontinuity_angle_deg = degrees(scene.source.discontinuity_angle);
+    run.drop_height_datum = to_string(scene.source.datum);
+    run.slope_angle_deg = degrees(scene.profile.slope_angle());
+    run.friction_angle_deg = degrees(scene.material.friction_angle);
+    run.scenario_hash = scenario_hash(scene);
+    run.started_utc = utc(now - wall_time(result.work));
+    run.ended_utc = utc(now);
+    run.program_version = program_version();
+    run.program_revision = program_revision();
+    run.compiler = compiler_description();
+    run.host_threads = static_cast<int>(std::thread::hardware_concurrency());
+    run.status = result.status;
+    run.status_detail = result.status_detail;
+    run.measures = result.measures;
+    run.work = result.work;
+    return run;
+}
+
+}  // namespace runout

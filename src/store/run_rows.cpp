@@ -1,0 +1,236 @@
+#include "store/run_rows.h"
+
+#include <SQLiteCpp/Column.h>
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/VariadicBind.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+
+#include "store/columns.h"
+
+namespace runout {
+namespace {
+
+using SQLite::Database;
+using SQLite::Statement;
+
+/// "INSERT INTO table (a, b) VALUES (?, ?)"
+std::string insert_sql(const char* table, const std::vector<std::string>& columns) {
+    const std::vector<std::string> places(columns.size(), "?");
+    return fmt::format("INSERT INTO {} ({}) VALUES ({})", table, fmt::join(columns, ", "),
+                       fmt::join(places, ", "));
+}
+
+template <class Columns>
+void append_names(std::vector<std::string>& names, const Columns& columns) {
+    for (const auto& column : columns) names.emplace_back(column.name);
+}
+
+// SQLite stores a bound NaN as NULL and reads NULL as 0, so only the way back needs care.
+double real(const SQLite::Column& column) {
+    return column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
+}
+
+/// Words of StoredRun by their column of the table `run`, status apart.
+struct TextColumn {
+    const char* name;
+    std::string StoredRun::*value;
+};
+constexpr std::array text_columns = {
+    TextColumn{"name", &StoredRun::name},
+    TextColumn{"section_origin", &StoredRun::section_origin},
+    TextColumn{"started_utc", &StoredRun::started_utc},
+    TextColumn{"ended_utc", &StoredRun::ended_utc},
+    TextColumn{"program_version", &StoredRun::program_version},
+    TextColumn{"program_revision", &StoredRun::program_revision},
+    TextColumn{"compiler", &StoredRun::compiler},
+    TextColumn{"status_detail", &StoredRun::status_detail},
+};
+
+void bind_work(Statement& statement, int& place, const RunWork& work) {
+    for (const WorkColumn& column : work_columns())
+        std::visit([&](auto member) { statement.bind(++place, work.*member); }, column.member);
+}
+
+void read_work(const Statement& statement, int& place, RunWork& work) {
+    const auto read = [&](auto member) {
+        using Number = std::remove_reference_t<decltype(work.*member)>;
+        const SQLite::Column value = statement.getColumn(place++);
+        if constexpr (std::is_same_v<Number, double>)
+            work.*member = real(value);
+        else
+            work.*member = static_cast<Number>(value.getInt64());
+    };
+    for (const WorkColumn& column : work_columns()) std::visit(read, column.member);
+}
+
+RunStatus status_of(const std::string& word) {
+    constexpr std::array all = {RunStatus::settled,       RunStatus::stable,   RunStatus::time_limit,
+                                RunStatus::left_section,  RunStatus::diverged, RunStatus::interrupted,
+                                RunStatus::not_converged, RunStatus::running};
+    for (const RunStatus status : all)
+        if (to_string(status) == word) return status;
+    throw std::runtime_error("the database holds the unknown status " + word);
+}
+
+template <class Row>
+void insert_rows(Database& database, const char* table, long run_id, const std::vector<Row>& rows,
+                 std::span<const RealColumn<Row>> columns) {
+    std::vector<std::string> names = {"run_id", "row_index"};
+    append_names(names, columns);
+    Statement statement(database, insert_sql(table, names));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        int place = 0;
+        statement.bind(++place, run_id);
+        statement.bind(++place, static_cast<long>(i));
+        for (const auto& column : columns) statement.bind(++place, rows[i].*column.value);
+        statement.exec();
+        statement.reset();
+    }
+}
+
+template <class Row>
+std::vector<Row> select_rows(Database& database, const char* table, long run_id,
+                             std::span<const RealColumn<Row>> columns) {
+    std::vector<std::string> names;
+    append_names(names, columns);
+    Statement statement(database, fmt::format("SELECT {} FROM {} WHERE run_id = ? ORDER BY row_index",
+                                              fmt::join(names, ", "), table));
+    statement.bind(1, run_id);
+    std::vector<Row> rows;
+    while (statement.executeStep()) {
+        Row row;
+        int place = 0;
+        for (const auto& column : columns) row.*column.value = real(statement.getColumn(place++));
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+void insert_measures(Database& database, long run_id, const Measures& measures) {
+    std::vector<std::string> names = {"run_id"};
+    append_names(names, measure_fields());
+    Statement statement(database, insert_sql("measure", names));
+    int place = 0;
+    statement.bind(++place, run_id);
+    for (const MeasureField& field : measure_fields()) statement.bind(++place, measures.*field.value);
+    statement.exec();
+}
+
+std::string select_runs_sql(const char* condition) {
+    std::vector<std::string> names = {"run.run_id",
+                                      "run.status",
+                                      "scenario.scenario_hash",
+                                      "source.source_type",
+                                      "source.discontinuity_angle_deg",
+                                      "source.drop_height_datum",
+                                      "section.slope_angle_deg",
+                                      "scenario.friction_angle_deg",
+                                      "run.host_threads"};
+    for (const auto& column : text_columns) names.push_back(fmt::format("run.{}", column.name));
+    for (const auto& column : work_columns()) names.push_back(fmt::format("run.{}", column.name));
+    for (const auto& field : measure_fields()) names.push_back(fmt::format("measure.{}", field.name));
+    return fmt::format(
+        "SELECT {} FROM run JOIN measure USING (run_id) JOIN scenario USING (scenario_id)"
+        " JOIN source USING (source_id) JOIN section USING (section_id) {} ORDER BY run.run_id",
+        fmt::join(names, ", "), condition);
+}
+
+/// One row of select_runs_sql().
+StoredRun read_run(const Statement& row) {
+    StoredRun run;
+    int place = 0;
+    run.run_id = row.getColumn(place++).getInt64();
+    run.status = status_of(row.getColumn(place++).getString());
+    run.scenario_hash = row.getColumn(place++).getString();
+    run.source_type = row.getColumn(place++).getString();
+    run.discontinuity_angle_deg = row.getColumn(place++).getDouble();
+    run.drop_height_datum = row.getColumn(place++).getString();
+    run.slope_angle_deg = row.getColumn(place++).getDouble();
+    run.friction_angle_deg = row.getColumn(place++).getDouble();
+    run.host_threads = row.getColumn(place++).getInt();
+    for (const auto& column : text_columns) run.*column.value = row.getColumn(place++).getString();
+    read_work(row, place, run.work);
+    for (const MeasureField& field : measure_fields())
+        run.measures.*field.value = real(row.getColumn(place++));
+    return run;
+}
+
+std::vector<StoredRun> read_runs(Statement& statement) {
+    std::vector<StoredRun> runs;
+    while (statement.executeStep()) runs.push_back(read_run(statement));
+    return runs;
+}
+
+}  // namespace
+
+long insert_run(Database& database, long scenario_id, const StoredRun& run) {
+    std::vector<std::string> names = {"scenario_id", "status", "host_threads"};
+    append_names(names, text_columns);
+    append_names(names, work_columns());
+    Statement statement(database, insert_sql("run", names));
+    int place = 0;
+    statement.bind(++place, scenario_id);
+    statement.bind(++place, std::string(to_string(run.status)));
+    statement.bind(++place, run.host_threads);
+    for (const auto& column : text_columns) statement.bind(++place, run.*column.value);
+    bind_work(statement, place, run.work);
+    statement.exec();
+    const long run_id = database.getLastInsertRowid();
+    insert_measures(database, run_id, run.measures);
+    return run_id;
+}
+
+void insert_series(Database& database, long run_id, const std::vector<SeriesRow>& rows) {
+    insert_rows(database, "series", run_id, rows, series_columns());
+}
+
+void insert_deposit(Database& database, long run_id, const std::vector<DepositRow>& rows) {
+    insert_rows(database, "deposit_profile", run_id, rows, deposit_columns());
+}
+
+void insert_phases(Database& database, long run_id, const std::vector<PhaseTime>& rows) {
+    Statement statement(database,
+                        "INSERT INTO phase_time (run_id, phase_index, phase, wall_s) VALUES (?, ?, ?, ?)");
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        SQLite::bind(statement, run_id, static_cast<long>(i), rows[i].phase, rows[i].wall_s);
+        statement.exec();
+        statement.reset();
+    }
+}
+
+std::vector<StoredRun> select_runs(Database& database) {
+    Statement statement(database, select_runs_sql(""));
+    return read_runs(statement);
+}
+
+std::vector<StoredRun> select_runs(Database& database, long run_id) {
+    Statement statement(database, select_runs_sql("WHERE run.run_id = ?"));
+    statement.bind(1, run_id);
+    return read_runs(statement);
+}
+
+std::vector<SeriesRow> select_series(Database& database, long run_id) {
+    return select_rows(database, "series", run_id, series_columns());
+}
+
+std::vector<DepositRow> select_deposit(Database& database, long run_id) {
+    return select_rows(database, "deposit_profile", run_id, deposit_columns());
+}
+
+std::vector<PhaseTime> select_phases(Database& database, long run_id) {
+    Statement statement(database,
+                        "SELECT phase, wall_s FROM phase_time WHERE run_id = ? ORDER BY phase_index");
+    statement.bind(1, run_id);
+    std::vector<PhaseTime> rows;
+    while (statement.executeStep())
+        rows.push_back({statement.getColumn(0).getString(), real(statement.getColumn(1))});
+    return rows;
+}
+
+}  // namespace runout

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "store/store.h"
+
+namespace SQLite {
+class Database;
+}
+
+namespace runout {
+
+/// Adds run and measure of one run and returns its run_id. Call it within a transaction.
+long insert_run(SQLite::Database& database, long scenario_id, const StoredRun& run);
+
+/// Adds the rows that belong to a run. Call them within its transaction.
+void insert_series(SQLite::Database& database, long run_id, const std::vector<SeriesRow>& rows);
+void insert_deposit(SQLite::Database& database, long run_id, const std::vector<DepositRow>& rows);
+void insert_phases(SQLite::Database& database, long run_id, const std::vector<PhaseTime>& rows);
+
+/// All runs in the order of their ids; the one with this id, or none.
+std::vector<StoredRun> select_runs(SQLite::Database& database);
+std::vector<StoredRun> select_runs(SQLite::Database& database, long run_id);
+
+std::vector<SeriesRow> select_series(SQLite::Database& database, long run_id);
+std::vector<DepositRow> select_deposit(SQLite::Database& database, long run_id);
+std::vector<PhaseTime> select_phases(SQLite::Database& database, long run_id);
+
+}  // namespace runout

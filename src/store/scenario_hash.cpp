@@ -1,0 +1,118 @@
+#include "store/scenario_hash.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "core/version.h"
+#include "store/store.h"
+
+namespace runout {
+namespace {
+
+/// One "key value" a line. Numbers are the shortest text that reads back as the same double, on every
+/// machine.
+class CanonicalText {
+  public:
+    void add(const char* key, const std::string& value) { text_ += fmt::format("{} {}\n", key, value); }
+    void add(const char* key, double value) { add(key, number(value)); }
+    void add(const char* key, const Vec2& point) {
+        add(key, fmt::format("{} {}", number(point.x()), number(point.y())));
+    }
+    void add(const char* key, const std::vector<Vec2>& points) {
+        add(key, std::to_string(points.size()));
+        for (const Vec2& point : points) add("-", point);
+    }
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+  private:
+    // -0 and 0 are the same number, so they must be the same text.
+    static std::string number(double value) { return fmt::format("{}", value + 0.0); }
+
+    std::string text_;
+};
+
+std::string sha256_hex(const std::string& text) {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned int length = 0;
+    if (EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1)
+        throw std::runtime_error("the SHA-256 of libcrypto is not available");
+    std::string hex;
+    for (unsigned int i = 0; i < length; ++i) hex += fmt::format("{:02x}", digest[i]);
+    return hex;
+}
+
+// The structs are taken apart member by member: one that is added later stops the build here, where it must
+// be decided whether it changes the result.
+
+std::string section_text(const Profile& profile) {
+    const auto& [ground, crest, toe, toe_chainage, toe_elevation, descends, origin] = profile;
+    CanonicalText text;
+    text.add("crest", static_cast<double>(crest));
+    text.add("toe", static_cast<double>(toe));
+    text.add("toe_chainage", toe_chainage);
+    text.add("toe_elevation", toe_elevation);
+    text.add("descends_with_chainage", descends ? 1.0 : 0.0);
+    text.add("ground", ground);
+    return text.text();
+}
+
+std::string source_text(const Source& source) {
+    const auto& [type, outline, bed, area, front_area, discontinuity, exit, head, drop_height, datum] =
+        source;
+    CanonicalText text;
+    text.add("type", to_string(type));
+    text.add("outline", outline);
+    text.add("bed", bed);
+    text.add("area", area);
+    text.add("front_area", front_area);
+    text.add("discontinuity_angle", discontinuity);
+    text.add("exit_point", exit);
+    text.add("head", head);
+    text.add("drop_height", drop_height);
+    text.add("datum", to_string(datum));
+    return text.text();
+}
+
+std::string question_text(const Material& material, const RunSettings& run) {
+    const auto& [density, friction_angle] = material;
+    const auto& [spacing, resolution, gravity, courant, smoothing, friction, iterations, tolerance,
+                 time_limit, front_thickness, threads] = run;
+    CanonicalText text;
+    text.add("density", density);
+    text.add("friction_angle", friction_angle);
+    text.add("particle_spacing", spacing);
+    text.add("resolution", resolution);
+    text.add("gravity", gravity);
+    text.add("courant", courant);
+    text.add("smoothing_ratio", smoothing);
+    text.add("friction", friction_scheme_name(friction));
+    text.add("friction_iterations", static_cast<double>(iterations));
+    text.add("pressure_tolerance", tolerance);
+    text.add("time_limit", time_limit);
+    text.add("front_thickness", front_thickness);
+    return text.text();
+}
+
+}  // namespace
+
+SceneIdentity scene_identity(const Scene& scene) {
+    const std::string section = section_text(scene.profile);
+    const std::string source = section + source_text(scene.source);
+    // The version stands for the numerics: a release that changes results must not take over the old ones.
+    const std::string scenario =
+        source + question_text(scene.material, scene.run) + "program_version " + program_version() + "\n";
+    return {sha256_hex(section), sha256_hex(source), sha256_hex(scenario)};
+}
+
+std::string scenario_hash(const Scene& scene) {
+    return scene_identity(scene).scenario;
+}
+
+std::string friction_scheme_name(FrictionScheme scheme) {
+    return scheme == FrictionScheme::explicit_ ? "explicit" : "projected";
+}
+
+}  // namespace runout

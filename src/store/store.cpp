@@ -1,0 +1,79 @@
+#include "store/store.h"
+
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Transaction.h>
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "core/input_error.h"
+#include "store/database.h"
+#include "store/run_rows.h"
+#include "store/write_scenario.h"
+
+namespace runout {
+
+struct Store::Impl {
+    std::string path;
+    Mode mode;
+    std::unique_ptr<SQLite::Database> database;
+
+    /// What `use` makes of the database, with the database's own errors said as sentences.
+    template <class Use>
+    auto with_database(const Use& use) const {
+        try {
+            return use(*database);
+        } catch (const SQLite::Exception& error) {
+            throw_storage_error(path, error);
+        }
+    }
+};
+
+Store::Store(const std::string& path, Mode mode)
+    : impl_(std::make_unique<Impl>(
+          Impl{path, mode, mode == Mode::read ? open_for_reading(path) : open_for_writing(path)})) {}
+
+Store::~Store() = default;
+
+long Store::add(const Scene& scene, const RunResult& result) {
+    if (impl_->mode == Mode::read)
+        throw std::logic_error("Store::add on a store that was opened for reading");
+    if (result.status == RunStatus::running) throw std::logic_error("Store::add of a run that has not ended");
+    return impl_->with_database([&](SQLite::Database& database) {
+        // Immediate: a second writer waits here, and not halfway, where SQLite could only refuse it.
+        SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+        const long run_id = insert_run(database, scenario_row(database, scene), describe_run(scene, result));
+        insert_series(database, run_id, result.series);
+        insert_deposit(database, run_id, result.deposit);
+        insert_phases(database, run_id, result.phases);
+        transaction.commit();
+        return run_id;
+    });
+}
+
+std::vector<StoredRun> Store::runs() const {
+    return impl_->with_database([](SQLite::Database& database) { return select_runs(database); });
+}
+
+StoredRun Store::run(long run_id) const {
+    const auto found =
+        impl_->with_database([=](SQLite::Database& database) { return select_runs(database, run_id); });
+    if (found.empty())
+        throw InputError({.file = impl_->path, .line = 0, .key = "run_id", .value = std::to_string(run_id)},
+                         "no such run", "`runout table` lists the stored runs");
+    return found.front();
+}
+
+std::vector<SeriesRow> Store::series(long run_id) const {
+    return impl_->with_database([=](SQLite::Database& database) { return select_series(database, run_id); });
+}
+
+std::vector<DepositRow> Store::deposit(long run_id) const {
+    return impl_->with_database([=](SQLite::Database& database) { return select_deposit(database, run_id); });
+}
+
+std::vector<PhaseTime> Store::phases(long run_id) const {
+    return impl_->with_database([=](SQLite::Database& database) { return select_phases(database, run_id); });
+}
+
+}  // namespace runout

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "measures/measures.h"
+#include "scene/scene.h"
+
+namespace runout {
+
+/// A small valid scene made by hand, for tests that need one and do not simulate it.
+inline Scene example_scene() {
+    Scene scene;
+    scene.name = "cut-60";
+    scene.profile.ground = {{-20, 12}, {-5, 10}, {0, 0}, {40, -1}};
+    scene.profile.crest = 1;
+    scene.profile.toe = 2;
+    scene.profile.toe_chainage_m = 834512.25;
+    scene.profile.toe_elevation_m = 41.5;
+    scene.profile.origin = "profiles/cut-60.csv";
+    scene.source.type = SourceType::c;
+    scene.source.outline = {{-1, 2}, {-5, 10}, {-7, 10.25}};
+    scene.source.bed = {{-20, 12}, {-7, 10.25}, {-1, 2}, {0, 0}, {40, -1}};
+    scene.source.area = 12.5;
+    scene.source.front_area = 9.1;
+    scene.source.discontinuity_angle = 0.96;
+    scene.source.exit_point = {-1, 2};
+    scene.source.head = {-7, 10.25};
+    scene.source.drop_height = 10.25;
+    scene.material = {.density = 1900, .friction_angle = 0.66};
+    return scene;
+}
+
+/// A settled run in which no two numbers are equal and none is short in binary.
+inline RunResult example_result() {
+    RunResult result;
+    result.status = RunStatus::settled;
+    double next = 0.1;
+    for (const MeasureField& field : measure_fields()) result.measures.*field.value = next += 1.1;
+    result.work = {.particles = 1601,
+                   .boundary_particles = 402,
+                   .particle_spacing_m = 0.0884,
+                   .steps = 2503,
+                   .pressure_iterations = 30004,
+                   .wall_guard_activations = 5,
+                   .highest_density_ratio = 1.021,
+                   .simulated_s = 4.7,
+                   .wall_s = 2.3,
+                   .cpu_s = 4.4,
+                   .threads = 2};
+    result.series = {{0, 0.1, 0.2, 300.3, 0.4, 23750.6}, {0.1, 1.1, 12.7, 280.3, 7.4, 23750.6}};
+    result.deposit = {{834510.25, 43.1, 0.3, 0.4}, {834512.75, 41.5, 1.3, 1.4}, {834515.1, 41.4, 0.9, 1.1}};
+    result.phases = {{"pressure", 1.5}, {"friction", 0.6}};
+    return result;
+}
+
+}  // namespace runout

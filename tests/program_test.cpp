@@ -1,0 +1,479 @@
+// The real program, as a shell sees it: exit codes, what goes to which stream, what is left on the disk.
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/version.h"
+#include "scene/parameters.h"
+#include "store/store.h"
+
+namespace runout {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+std::string text_of(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+struct Outcome {
+    int exit_code = -1;  ///< -1: killed by a signal
+    std::string out;
+    std::string err;
+};
+
+/// `runout` with its streams in files beside its working directory.
+class Child {
+  public:
+    Child(const fs::path& folder, const Arguments& arguments) : streams_(folder / "streams") {
+        fs::create_directories(streams_);
+        pid_ = fork();
+        if (pid_ == 0) become_runout(folder / "work", arguments);
+    }
+
+    void interrupt() const { kill(pid_, SIGINT); }
+
+    Outcome wait() {
+        int status = 0;
+        waitpid(pid_, &status, 0);
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(streams_ / "out"),
+                text_of(streams_ / "err")};
+    }
+
+  private:
+    [[noreturn]] void become_runout(const fs::path& work, const Arguments& arguments) const {
+        const auto redirect = [](const fs::path& path, int stream) {
+            dup2(open(path.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644), stream);
+        };
+        redirect(streams_ / "out", STDOUT_FILENO);
+        redirect(streams_ / "err", STDERR_FILENO);
+        std::vector<char*> argv;
+        std::string program = RUNOUT_PROGRAM;
+        argv.push_back(program.data());
+        Arguments copies = arguments;
+        for (std::string& argument : copies) argv.push_back(argument.data());
+        argv.push_back(nullptr);
+        if (chdir(work.c_str()) == 0) execv(program.c_str(), argv.data());
+        _exit(127);
+    }
+
+    fs::path streams_;
+    pid_t pid_ = -1;
+};
+
+constexpr const char* slope = "chainage_m,elevation_m\n0,0.4\n0.3,0.4\n0.45,0\n2.5,0\n";
+
+constexpr const char* sound_case =
+    "[section]\n"                // line 1
+    "file = \"section.csv\"\n"   // 2
+    "[source]\n"                 // 3
+    "type = \"B\"\n"             // 4
+    "base_angle_deg = 35\n"      // 5
+    "scarp_angle_deg = 80\n"     // 6
+    "height_m = 0.15\n"          // 7
+    "drop_height_m = 0.3\n"      // 8
+    "[material]\n"               // 9
+    "friction_angle_deg = 38\n"  // 10
+    "[run]\n"                    // 11
+    "resolution = 10\n";         // 12
+
+class ProgramTest : public testing::Test {
+  protected:
+    ProgramTest()
+        : folder_(fs::temp_directory_path() / fmt::format("runout-program-{}-{}", getpid(), test_name())) {
+        fs::create_directories(folder_ / "work");
+        write("section.csv", slope);
+        write("case.toml", sound_case);
+    }
+    ~ProgramTest() override { fs::remove_all(folder_); }
+
+    static std::string test_name() {
+        std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+        for (char& c : name)
+            if (c == '/') c = '-';
+        return name;
+    }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / "work" / name, std::ios::binary) << text;
+    }
+
+    [[nodiscard]] fs::path work(const std::string& name = "") const { return folder_ / "work" / name; }
+
+    [[nodiscard]] Outcome runout(const Arguments& arguments) const {
+        return Child(folder_, arguments).wait();
+    }
+
+    [[nodiscard]] std::set<std::string> files() const {
+        std::set<std::string> names;
+        for (const auto& entry : fs::recursive_directory_iterator(folder_ / "work"))
+            names.insert(fs::relative(entry.path(), folder_ / "work").string());
+        return names;
+    }
+
+    /// A refusal: exit code 2, one sentence on standard error, nothing else, nothing written.
+    void expect_refused(const Arguments& arguments, const std::vector<std::string>& parts) const {
+        SCOPED_TRACE(fmt::format("runout {}", fmt::join(arguments, " ")));
+        const std::set<std::string> before = files();
+        const Outcome outcome = runout(arguments);
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_TRUE(outcome.err.starts_with("runout: error: ")) << outcome.err;
+        EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+        for (const std::string& part : parts)
+            EXPECT_TRUE(contains(outcome.err, part)) << part << ": " << outcome.err;
+        EXPECT_EQ(files(), before);
+    }
+
+    fs::path folder_;
+};
+
+// --- help
+
+TEST_F(ProgramTest, TellsItsVersionAndRevision) {
+    const Outcome outcome = runout({"--version"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outcome.out, fmt::format("runout {} (revision {}, {})\n", program_version(), program_revision(),
+                                       compiler_description()));
+    EXPECT_FALSE(program_revision().empty());
+}
+
+TEST_F(ProgramTest, HelpsWithEverySubcommand) {
+    const Outcome outcome = runout({"--help"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+    for (const char* word : {"run ", "source ", "table ", "help ", "Examples:", "Exit codes:"})
+        EXPECT_TRUE(contains(outcome.out, word)) << word;
+    for (const char* sub : {"run", "source", "table", "help"}) {
+        EXPECT_EQ(runout({sub, "--help"}).exit_code, 0) << sub;
+        EXPECT_TRUE(contains(runout({"help", sub}).out, fmt::format("runout {}", sub))) << sub;
+    }
+    EXPECT_EQ(runout({"help"}).out, outcome.out);
+}
+
+TEST_F(ProgramTest, HelpKeysTellsEveryKeyWithRangeAndDefault) {
+    const Outcome outcome = runout({"help", "keys"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    for (const Parameter& parameter : parameters()) {
+        const std::string key(parameter.key.substr(parameter.key.find('.') + 1));
+        const std::string line =
+            fmt::format("  {}  ({}; default: {})\n", key, valid_values(parameter), parameter.fallback);
+        EXPECT_TRUE(contains(outcome.out, line)) << line;
+        EXPECT_TRUE(contains(outcome.out, std::string(parameter.help))) << parameter.key;
+    }
+}
+
+TEST_F(ProgramTest, RefusesCommandLinesItDoesNotUnderstand) {
+    expect_refused({}, {"subcommand"});
+    expect_refused({"rnu", "case.toml"}, {"rnu is not a subcommand", "run, source, table"});
+    expect_refused({"run"}, {"FILE"});
+    expect_refused({"run", "case.toml", "--angle", "3"}, {"--angle"});
+    expect_refused({"run", "case.toml", "--friction-angle"}, {"--friction-angle"});
+    expect_refused({"run", "case.toml", "--set", "resolution"}, {"--set", "key=value"});
+    expect_refused({"run", "case.toml", "--set", "run.resolution=9", "--resolution", "8"},
+                   {"run.resolution", "was given before", "give it once"});
+    expect_refused({"help", "me"}, {"me", "valid: keys"});
+}
+
+// --- the main job
+
+constexpr const char* measures_in_json[] = {"run_out_m",
+                                            "run_out_normalised",
+                                            "reach_angle_deg",
+                                            "source_area_m2",
+                                            "deposit_area_m2",
+                                            "front_area_m2",
+                                            "front_area_ratio",
+                                            "drop_height_m",
+                                            "drop_height_normalised",
+                                            "deposit_height_m",
+                                            "front_by_mass_m",
+                                            "front_mass_995_m",
+                                            "toe_thickness_m",
+                                            "peak_front_speed_m_s",
+                                            "time_to_rest_s",
+                                            "status",
+                                            "particles",
+                                            "steps",
+                                            "particle_spacing_m",
+                                            "wall_s",
+                                            "cpu_s",
+                                            "scenario_hash",
+                                            "name"};
+
+TEST_F(ProgramTest, RunsACaseAndStoresIt) {
+    const Outcome outcome = runout({"run", "case.toml", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json run = Json::parse(outcome.out);  // throws unless the whole of it is one value
+    ASSERT_TRUE(run.is_object());
+    for (const char* key : measures_in_json) EXPECT_TRUE(run.contains(key)) << key;
+    EXPECT_EQ(run["status"], "settled");
+    EXPECT_GT(run["run_out_m"].get<double>(), 0);
+    EXPECT_NEAR(run["particles"].get<double>(), 100, 15);
+    EXPECT_NEAR(run["drop_height_m"].get<double>(), 0.3, 1e-12);
+
+    const std::vector<StoredRun> stored = Store(work("runout.db").string(), Store::Mode::read).runs();
+    ASSERT_EQ(stored.size(), 1u);
+    EXPECT_EQ(stored[0].status, RunStatus::settled);
+    EXPECT_EQ(stored[0].measures.run_out_m, run["run_out_m"].get<double>());
+    EXPECT_EQ(stored[0].run_id, run["run_id"].get<long>());
+}
+
+TEST_F(ProgramTest, SaysTheAnswerInWordsOnStandardOutputAndTheRestOnStandardError) {
+    const Outcome outcome = runout({"run", "case.toml"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_FALSE(outcome.out.empty());
+    EXPECT_FALSE(contains(outcome.out, "runout: info"));
+    EXPECT_TRUE(contains(outcome.err, "% done"));
+    EXPECT_TRUE(contains(outcome.err, "stored as run 1 in runout.db"));
+    EXPECT_FALSE(contains(outcome.err, "\r")) << "a progress bar belongs on a terminal";
+}
+
+TEST_F(ProgramTest, QuietSaysNothingButTheAnswer) {
+    const Outcome outcome =
+        runout({"run", "section.csv", "--friction-angle", "38", "--resolution", "10", "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_FALSE(outcome.out.empty());
+}
+
+TEST_F(ProgramTest, NoStoreLeavesNothing) {
+    const std::set<std::string> before = files();
+    const Outcome outcome = runout({"run", "case.toml", "--no-store", "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out)["status"], "settled");
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(ProgramTest, ABareSectionNeedsFourOptions) {
+    const Outcome outcome =
+        runout({"run", "section.csv", "--source", "B", "--base-angle", "35", "--scarp-angle", "80",
+                "--friction-angle", "38", "--resolution", "10", "--db", "mine.db", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "not given, assumed: source.height_m = 0.4")) << outcome.err;
+    EXPECT_FALSE(contains(outcome.err, "assumed: source.base_angle_deg")) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out)["name"], "section");
+    EXPECT_TRUE(fs::exists(work("mine.db")));
+    EXPECT_FALSE(fs::exists(work("runout.db")));
+}
+
+TEST_F(ProgramTest, OptionsAndSettingsChangeTheRun) {
+    const Json plain = Json::parse(runout({"run", "case.toml", "--json"}).out);
+    const Json option = Json::parse(runout({"run", "case.toml", "--json", "--friction-angle", "30"}).out);
+    const Json setting =
+        Json::parse(runout({"run", "case.toml", "--json", "--set", "material.friction_angle_deg=30"}).out);
+    EXPECT_GT(option["run_out_m"].get<double>(), plain["run_out_m"].get<double>());
+    EXPECT_EQ(option["run_out_m"], setting["run_out_m"]);
+    EXPECT_EQ(option["scenario_hash"], setting["scenario_hash"]);
+    EXPECT_NE(option["scenario_hash"], plain["scenario_hash"]);
+}
+
+TEST_F(ProgramTest, ASourceThatStandsIsAResult) {
+    write("gentle.csv", "chainage_m,elevation_m\n0,0.4\n0.3,0.4\n1.3,0\n3,0\n");  // a face of 22 deg
+    const Outcome outcome = runout({"run", "gentle.csv", "--base-angle", "10", "--friction-angle", "38",
+                                    "--resolution", "10", "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json run = Json::parse(outcome.out);
+    EXPECT_EQ(run["status"], "stable");
+    EXPECT_EQ(run["run_out_m"], 0.0);
+}
+
+TEST_F(ProgramTest, ARunThatDidNotSettleIsStoredAndEndsWithOne) {
+    const Outcome outcome = runout({"run", "case.toml", "--time-limit", "0.01", "--json"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(Json::parse(outcome.out)["status"], "time_limit");
+    EXPECT_TRUE(contains(outcome.err, "time_limit"));
+    EXPECT_EQ(Store(work("runout.db").string(), Store::Mode::read).runs().at(0).status,
+              RunStatus::time_limit);
+}
+
+void wait_for_file(const fs::path& path) {
+    for (int i = 0; i < 300 && !fs::exists(path); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    std::this_thread::sleep_for(
+        std::chrono::seconds(1));  // the run begins right after the database is opened
+}
+
+TEST_F(ProgramTest, CtrlCEndsCleanlyWithTheRunStored) {
+    Child child(folder_, {"run", "case.toml", "--resolution", "150", "--json"});
+    wait_for_file(work("runout.db"));
+    child.interrupt();
+    const Outcome outcome = child.wait();
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_EQ(Json::parse(outcome.out)["status"], "interrupted");
+    const std::vector<StoredRun> stored = Store(work("runout.db").string(), Store::Mode::read).runs();
+    ASSERT_EQ(stored.size(), 1u);
+    EXPECT_EQ(stored[0].status, RunStatus::interrupted);
+}
+
+TEST_F(ProgramTest, ASecondCtrlCEndsAtOnce) {
+    Child child(folder_, {"run", "case.toml", "--resolution", "1000", "--json"});
+    wait_for_file(work("runout.db"));
+    child.interrupt();
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    child.interrupt();
+    EXPECT_EQ(child.wait().exit_code, 130);
+}
+
+// --- source and table
+
+TEST_F(ProgramTest, PrintsTheSourceOnly) {
+    const std::set<std::string> before = files();
+    const Outcome outcome = runout({"source", "section.csv", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json source = Json::parse(outcome.out);
+    for (const char* key :
+         {"source_type", "source_area_m2", "front_area_m2", "front_area_ratio", "exit_point", "head",
+          "drop_height_m", "outline", "bed", "discontinuity_angle_deg", "slope_angle_deg"})
+        EXPECT_TRUE(source.contains(key)) << key;
+    EXPECT_EQ(source["source_type"], "B");
+    EXPECT_EQ(source["head"], Json({0.3, 0.4}));  // in section coordinates: the crest
+    EXPECT_EQ(source["outline"].size(), 3u);
+    EXPECT_EQ(files(), before);
+
+    const Outcome words = runout({"source", "case.toml"});
+    EXPECT_EQ(words.exit_code, 0);
+    EXPECT_TRUE(contains(words.out, "S_front")) << words.out;
+}
+
+TEST_F(ProgramTest, ListsTheRunsOfADatabase) {
+    ASSERT_EQ(runout({"run", "case.toml", "--name", "first"}).exit_code, 0);
+    ASSERT_EQ(runout({"run", "case.toml", "--name", "second", "--friction-angle", "30"}).exit_code, 0);
+    const Outcome text = runout({"table", "runout.db"});
+    EXPECT_EQ(text.exit_code, 0);
+    EXPECT_TRUE(contains(text.out, "first") && contains(text.out, "second")) << text.out;
+    const Outcome csv = runout({"table", "runout.db", "--format", "csv"});
+    EXPECT_EQ(std::ranges::count(csv.out, '\n'), 3) << csv.out;
+    const Json json = Json::parse(runout({"table", "runout.db", "--format", "json"}).out);
+    EXPECT_EQ(json.size(), 2u);
+}
+
+TEST_F(ProgramTest, RefusesTablesItCannotMake) {
+    expect_refused({"table", "none.db"}, {"none.db"});
+    expect_refused({"table", "section.csv"}, {"section.csv"});
+    ASSERT_EQ(runout({"run", "case.toml"}).exit_code, 0);
+    expect_refused({"table", "runout.db", "--format", "xml"}, {"xml", "text, csv or json"});
+}
+
+// --- bad input: every mistake of the issue
+
+TEST_F(ProgramTest, BadFiles) {
+    expect_refused({"run", "none.toml"}, {"none.toml", "does not exist"});
+    expect_refused({"run", "none.csv", "--friction-angle", "38"}, {"none.csv"});
+    write("empty.toml", "");
+    expect_refused({"run", "empty.toml"}, {"empty.toml", "is empty"});
+    write("empty.csv", "");
+    expect_refused({"run", "empty.csv", "--friction-angle", "38"}, {"empty.csv"});
+    write("broken.toml", "[section\n");
+    expect_refused({"run", "broken.toml"}, {"broken.toml, line 1", "TOML"});
+    expect_refused({"run", "."}, {"folder"});
+}
+
+TEST_F(ProgramTest, BadSections) {
+    const auto refused = [&](const std::string& text, const std::vector<std::string>& parts) {
+        write("bad.csv", text);
+        expect_refused({"run", "bad.csv", "--friction-angle", "38"}, parts);
+        expect_refused({"source", "bad.csv"}, parts);
+    };
+    const std::string header = "chainage_m,elevation_m\n";
+    refused(header + "0,1\n", {"bad.csv", "one point"});
+    refused(header + "0,1\n1,high\n", {"bad.csv, line 3", "elevation_m", "high"});
+    refused(header + "0,1\nnan,0\n", {"bad.csv, line 3", "chainage_m", "nan"});
+    refused("chainage_m,elevation_m,colour\n0,1,red\n1,0,red\n", {"bad.csv, line 1", "colour"});
+    refused("x,y\n0,1\n1,0\n", {"bad.csv, line 1", "chainage_m"});
+    refused(header + "0,1\n1,0\n0.5,-1\n", {"bad.csv, line 4", "chainage_m = 0.5", "overhang"});
+    refused(header + "0,1\n1,0\n1,0\n2,0\n", {"bad.csv, line 4", "repeats"});
+}
+
+TEST_F(ProgramTest, BadKeys) {
+    const std::string section = "[section]\nfile = \"section.csv\"\n[material]\n";
+    const auto refused = [&](const std::string& text, const std::vector<std::string>& parts) {
+        write("bad.toml", text);
+        expect_refused({"run", "bad.toml"}, parts);
+    };
+    refused(section + "friction_angel_deg = 38\n",
+            {"bad.toml, line 4", "friction_angel_deg = 38", "friction_angle_deg"});
+    refused(section + "friction_angle_deg = 95\n", {"bad.toml, line 4", "= 95", "0 <= number < 80 deg"});
+    refused(section + "friction_angle_deg = \"x\"\n", {"bad.toml, line 4", "not a number"});
+    refused(section + "density_kg_m3 = 2000\n", {"bad.toml", "material.friction_angle_deg", "missing"});
+    refused(section + "friction_angle_deg = 38\n[run]\nresolution = 40\nparticle_spacing_m = 0.01\n",
+            {"bad.toml, line 7", "excludes run.resolution"});
+    refused(section + "friction_angle_deg = 38\n[run]\nparticle_spacing_m = 10\n",
+            {"bad.toml, line 6", "particles"});
+    expect_refused({"run", "case.toml", "--friction-angle", "-1"},
+                   {"--friction-angle", "= -1", "out of range"});
+    expect_refused({"run", "case.toml", "--set", "run.speed=3"},
+                   {"--set", "run.speed = 3", "not a known key"});
+}
+
+TEST_F(ProgramTest, BadSources) {
+    const Arguments bare = {"run", "section.csv", "--friction-angle", "38"};
+    const auto with = [&](Arguments more) {
+        more.insert(more.begin(), bare.begin(), bare.end());
+        return more;
+    };
+    expect_refused(with({"--height", "0.2", "--area", "0.5"}), {"source.area_m2", "height"});
+    expect_refused(with({"--scarp-angle", "60"}),
+                   {"--scarp-angle", "source.scarp_angle_deg = 60", "steeper than the face"});
+    expect_refused(with({"--height", "3"}), {"--height", "source.height_m = 3"});
+    expect_refused(with({"--drop-height", "2"}), {"--drop-height", "source.drop_height_m = 2"});
+    expect_refused(with({"--length", "2"}), {"--length", "does not apply to source.type = B"});
+    expect_refused(with({"--source", "polygon", "--set", "source.points=[[5,0.5],[6,0.5],[6,0.6],[5,0.6]]"}),
+                   {"source.points"});
+}
+
+/// The database's version number stands in bytes 60 to 63 of the file, most significant first.
+void write_user_version(const fs::path& database, char version) {
+    std::fstream file(database, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(60);
+    const char bytes[4] = {0, 0, 0, version};
+    file.write(bytes, 4);
+}
+
+TEST_F(ProgramTest, BadDatabasesAreFoundBeforeTheWork) {
+    // This resolution would keep the program busy for hours.
+    const auto refused = [&](const std::string& database, const std::vector<std::string>& parts) {
+        const auto start = std::chrono::steady_clock::now();
+        expect_refused({"run", "case.toml", "--resolution", "1000", "--db", database}, parts);
+        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+    };
+    refused("no/such/folder/runs.db", {"no/such/folder/runs.db"});
+    fs::create_directories(work("folder.db"));
+    refused("folder.db", {"folder.db"});
+    refused("section.csv", {"section.csv"});
+    EXPECT_EQ(text_of(work("section.csv")), slope);
+
+    ASSERT_EQ(runout({"run", "case.toml", "--db", "newer.db"}).exit_code, 0);
+    write_user_version(work("newer.db"), 99);
+    refused("newer.db", {"newer.db", "99"});
+}
+
+TEST_F(ProgramTest, ADatabaseIsNotMadeForBadInput) {
+    expect_refused({"run", "case.toml", "--base-angle", "75", "--db", "new.db"}, {"source.base_angle_deg"});
+    EXPECT_FALSE(fs::exists(work("new.db")));
+}
+
+}  // namespace
+}  // namespace runout

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <functional>
+#include <iterator>
+#include <string>
+
+#include "core/input_error.h"
+#include "example_run.h"
+#include "store/store.h"
+
+namespace runout {
+
+namespace fs = std::filesystem;
+
+/// A directory of its own for every test, gone afterwards.
+class StoreTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string pattern = (fs::temp_directory_path() / "runout-store-XXXXXX").string();
+        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+        directory = pattern;
+        path = (directory / "results.db").string();
+    }
+    void TearDown() override { fs::remove_all(directory); }
+
+    long add(const Scene& scene, const RunResult& result) {
+        return Store(path, Store::Mode::write).add(scene, result);
+    }
+    [[nodiscard]] SQLite::Database raw() const { return {path, SQLite::OPEN_READWRITE}; }
+    [[nodiscard]] long count(const std::string& table) const {
+        SQLite::Database database(path, SQLite::OPEN_READONLY);
+        return database.execAndGet("SELECT count(*) FROM " + table).getInt64();
+    }
+    [[nodiscard]] std::size_t files() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
+    }
+
+    fs::path directory;
+    std::string path;
+};
+
+/// The sentence of the InputError, or "" when there was none.
+inline std::string refusal(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+inline std::string refusal_to_open(const std::string& path, Store::Mode mode) {
+    return refusal([&] { const Store store(path, mode); });
+}
+
+inline testing::AssertionResult contains(const std::string& text, const std::string& part) {
+    if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << '"' << text << "\" does not contain \"" << part << '"';
+}
+
+}  // namespace runout

@@ -1,0 +1,298 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include "core/units.h"
+#include "core/version.h"
+#include "store/columns.h"
+#include "store_fixture.h"
+
+// What goes into the store comes out of it, and the format is what db/schema.sql says.
+
+namespace runout {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<std::string> columns_of(SQLite::Database& database, const std::string& table) {
+    SQLite::Statement statement(database, "SELECT name FROM pragma_table_info('" + table + "') ORDER BY cid");
+    std::vector<std::string> names;
+    while (statement.executeStep()) names.push_back(statement.getColumn(0).getString());
+    return names;
+}
+
+template <class Columns>
+std::vector<std::string> names_of(std::vector<std::string> first, const Columns& columns) {
+    for (const auto& column : columns) first.emplace_back(column.name);
+    return first;
+}
+
+// ---- what goes in comes out
+
+TEST_F(StoreTest, ReturnsEveryFieldOfARun) {
+    Scene scene = example_scene();
+    scene.source.datum = DropDatum::base;
+    const RunResult result = example_result();
+    const long run_id = add(scene, result);
+
+    const Store store(path, Store::Mode::read);
+    ASSERT_EQ(store.runs().size(), 1U);
+    const StoredRun run = store.runs().front();
+    EXPECT_EQ(run.run_id, run_id);
+    EXPECT_EQ(run.name, "cut-60");
+    EXPECT_EQ(run.section_origin, "profiles/cut-60.csv");
+    EXPECT_EQ(run.source_type, "C");
+    EXPECT_EQ(run.discontinuity_angle_deg, degrees(0.96));
+    EXPECT_EQ(run.drop_height_datum, "base");
+    EXPECT_EQ(run.slope_angle_deg, degrees(scene.profile.slope_angle()));
+    EXPECT_EQ(run.friction_angle_deg, degrees(0.66));
+    EXPECT_EQ(run.scenario_hash, scenario_hash(scene));
+    EXPECT_EQ(run.program_version, program_version());
+    EXPECT_EQ(run.program_revision, program_revision());
+    EXPECT_EQ(run.compiler, compiler_description());
+    EXPECT_EQ(run.host_threads, static_cast<int>(std::thread::hardware_concurrency()));
+    EXPECT_EQ(run.status, RunStatus::settled);
+    EXPECT_EQ(run.status_detail, "");
+    for (const MeasureField& field : measure_fields())
+        EXPECT_EQ(run.measures.*field.value, result.measures.*field.value) << field.name;
+    for (const WorkColumn& column : work_columns())
+        std::visit([&](auto member) { EXPECT_EQ(run.work.*member, result.work.*member) << column.name; },
+                   column.member);
+}
+
+TEST_F(StoreTest, ReturnsSeriesDepositAndPhasesInTheirOrder) {
+    const RunResult result = example_result();
+    const long run_id = add(example_scene(), result);
+    const Store store(path, Store::Mode::read);
+
+    const auto series = store.series(run_id);
+    ASSERT_EQ(series.size(), result.series.size());
+    for (std::size_t i = 0; i < series.size(); ++i)
+        for (const auto& column : series_columns())
+            EXPECT_EQ(series[i].*column.value, result.series[i].*column.value) << column.name;
+
+    const auto deposit = store.deposit(run_id);
+    ASSERT_EQ(deposit.size(), result.deposit.size());
+    for (std::size_t i = 0; i < deposit.size(); ++i)
+        for (const auto& column : deposit_columns())
+            EXPECT_EQ(deposit[i].*column.value, result.deposit[i].*column.value) << column.name;
+
+    const auto phases = store.phases(run_id);
+    ASSERT_EQ(phases.size(), result.phases.size());
+    for (std::size_t i = 0; i < phases.size(); ++i) {
+        EXPECT_EQ(phases[i].phase, result.phases[i].phase);
+        EXPECT_EQ(phases[i].wall_s, result.phases[i].wall_s);
+    }
+}
+
+TEST_F(StoreTest, StoresTheScenarioThatWasAsked) {
+    Scene scene = example_scene();
+    scene.run = {.particle_spacing = 0.11,
+                 .resolution = 41,
+                 .gravity = 9.79,
+                 .courant = 0.12,
+                 .smoothing_ratio = 1.31,
+                 .friction = FrictionScheme::explicit_,
+                 .friction_iterations = 7,
+                 .pressure_tolerance = 0.013,
+                 .time_limit = 33.3,
+                 .front_thickness = 0.07,
+                 .threads = 2};
+    add(scene, example_result());
+    SQLite::Database database = raw();
+    SQLite::Statement row(
+        database,
+        "SELECT density_kg_m3, friction_angle_deg, particle_spacing_m, resolution, gravity_m_s2,"
+        " courant, smoothing_ratio, friction_iterations, pressure_tolerance, time_limit_s,"
+        " front_thickness_m, friction_scheme FROM scenario");
+    ASSERT_TRUE(row.executeStep());
+    const std::vector<double> expected = {1900, degrees(0.66), 0.11, 41,  9.79, 0.12, 1.31,
+                                          7,    0.013,         33.3, 0.07};
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        EXPECT_EQ(row.getColumn(static_cast<int>(i)).getDouble(), expected[i]) << i;
+    EXPECT_EQ(row.getColumn(11).getString(), "explicit");
+}
+
+TEST_F(StoreTest, StoresGroundAndSourceToTheBit) {
+    const Scene scene = example_scene();
+    add(scene, example_result());
+    SQLite::Database database = raw();
+    const auto expect_points = [&](const std::string& query, const std::vector<Vec2>& expected) {
+        SQLite::Statement row(database, query + " ORDER BY point_index");
+        for (const Vec2& point : expected) {
+            ASSERT_TRUE(row.executeStep()) << query;
+            EXPECT_EQ(row.getColumn(0).getDouble(), point.x());
+            EXPECT_EQ(row.getColumn(1).getDouble(), point.y());
+        }
+        EXPECT_FALSE(row.executeStep()) << query;
+    };
+    expect_points("SELECT x_m, y_m FROM section_point", scene.profile.ground);
+    expect_points("SELECT x_m, y_m FROM source_point WHERE part = 'outline'", scene.source.outline);
+    expect_points("SELECT x_m, y_m FROM source_point WHERE part = 'bed'", scene.source.bed);
+
+    SQLite::Statement row(
+        database,
+        "SELECT toe_chainage_m, toe_elevation_m, crest_index, toe_index, area_m2, front_area_m2,"
+        " discontinuity_angle_deg, exit_x_m, exit_y_m, head_x_m, head_y_m, source.drop_height_m,"
+        " drop_height_datum FROM source JOIN section USING (section_id)");
+    ASSERT_TRUE(row.executeStep());
+    const std::vector<double> expected = {834512.25,     41.5, 1, 2,  12.5,  9.1,
+                                          degrees(0.96), -1,   2, -7, 10.25, 10.25};
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        EXPECT_EQ(row.getColumn(static_cast<int>(i)).getDouble(), expected[i]) << i;
+    EXPECT_EQ(row.getColumn(12).getString(), "head");
+}
+
+TEST_F(StoreTest, GivesTheGroundInTheCoordinatesOfItsFile) {
+    Scene scene = example_scene();
+    scene.profile.descends_with_chainage = false;
+    add(scene, example_result());
+    SQLite::Database database = raw();
+    EXPECT_EQ(database.execAndGet("SELECT chainage_m FROM section_ground WHERE point_index = 0").getDouble(),
+              834512.25 + 20);
+    EXPECT_EQ(database.execAndGet("SELECT elevation_m FROM section_ground WHERE point_index = 0").getDouble(),
+              53.5);
+}
+
+TEST_F(StoreTest, NumbersThatDoNotExistAreNullAndComeBackAsNaN) {
+    RunResult result = example_result();
+    result.measures.reach_angle_deg = nan;
+    result.work.highest_density_ratio = nan;
+    result.series[1].kinetic_energy_j_m = nan;
+    result.deposit[0].thickness_by_top_m = nan;
+    const long run_id = add(example_scene(), result);
+    EXPECT_EQ(count("measure WHERE reach_angle_deg IS NULL AND run_out_m IS NOT NULL"), 1);
+    EXPECT_EQ(count("run WHERE highest_density_ratio IS NULL"), 1);
+    const Store store(path, Store::Mode::read);
+    EXPECT_TRUE(std::isnan(store.run(run_id).measures.reach_angle_deg));
+    EXPECT_FALSE(std::isnan(store.run(run_id).measures.run_out_m));
+    EXPECT_TRUE(std::isnan(store.run(run_id).work.highest_density_ratio));
+    EXPECT_TRUE(std::isnan(store.series(run_id)[1].kinetic_energy_j_m));
+    EXPECT_TRUE(std::isnan(store.deposit(run_id)[0].thickness_by_top_m));
+}
+
+TEST_F(StoreTest, StoresEveryWayARunCanEnd) {
+    constexpr std::array ends = {RunStatus::settled,      RunStatus::stable,   RunStatus::time_limit,
+                                 RunStatus::left_section, RunStatus::diverged, RunStatus::interrupted,
+                                 RunStatus::not_converged};
+    Store store(path, Store::Mode::write);
+    for (const RunStatus end : ends) {
+        RunResult result = example_result();
+        result.status = end;
+        result.status_detail = "density ratio 1.31 at t = 0.2 s, x = -4.5 m";
+        const StoredRun run = store.run(store.add(example_scene(), result));
+        EXPECT_EQ(run.status, end);
+        EXPECT_EQ(run.status_detail, result.status_detail);
+        EXPECT_EQ(count("run_status WHERE status = '" + std::string(to_string(end)) +
+                        "' AND is_result = " + (is_result(end) ? "1" : "0")),
+                  1)
+            << to_string(end);
+    }
+    EXPECT_EQ(count("run_status"), static_cast<long>(ends.size()));
+    EXPECT_EQ(count("result"), 2) << "only settled and stable runs are results";
+}
+
+TEST_F(StoreTest, TimesAreIsoAndInOrder) {
+    RunResult result = example_result();
+    result.work.wall_s = 3600;
+    const StoredRun run = describe_run(example_scene(), result);
+    ASSERT_EQ(run.started_utc.size(), std::string("2024-05-31T09:30:00Z").size());
+    EXPECT_EQ(run.started_utc[10], 'T');
+    EXPECT_EQ(run.started_utc.back(), 'Z');
+    EXPECT_LT(run.started_utc, run.ended_utc);
+}
+
+// ---- the format
+
+TEST_F(StoreTest, ColumnsAreTheMembersOfTheResultStructs) {
+    add(example_scene(), example_result());
+    SQLite::Database database = raw();
+    EXPECT_EQ(columns_of(database, "measure"), names_of({"run_id"}, measure_fields()));
+    EXPECT_EQ(columns_of(database, "series"), names_of({"run_id", "row_index"}, series_columns()));
+    EXPECT_EQ(columns_of(database, "deposit_profile"), names_of({"run_id", "row_index"}, deposit_columns()));
+
+    const auto run = columns_of(database, "run");
+    const auto work = names_of({}, work_columns());
+    ASSERT_GE(run.size(), work.size());
+    EXPECT_EQ(std::vector<std::string>(run.end() - static_cast<std::ptrdiff_t>(work.size()), run.end()),
+              work);
+}
+
+TEST(Columns, NameEveryMemberOnce) {
+    EXPECT_EQ(measure_fields().size() * sizeof(double), sizeof(Measures));
+    // Fails to compile when a member is added: then it needs a column too.
+    const auto& [particles, boundary, spacing, steps, iterations, guard, density, simulated, wall, cpu,
+                 threads] = RunWork{};
+    EXPECT_EQ(work_columns().size(), 11U);
+    EXPECT_EQ(threads, 1);
+
+    RunWork work;
+    for (const WorkColumn& column : work_columns())
+        std::visit([&](auto member) { work.*member += 1; }, column.member);
+    for (const WorkColumn& column : work_columns())
+        std::visit([&](auto member) { EXPECT_EQ(work.*member - RunWork{}.*member, 1) << column.name; },
+                   column.member);
+}
+
+TEST_F(StoreTest, MarksTheFileAsItsOwn) {
+    add(example_scene(), example_result());
+    SQLite::Database database = raw();
+    EXPECT_EQ(database.execAndGet("PRAGMA application_id").getInt(), 0x52554E4F);  // RUNO
+    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 1);
+    EXPECT_EQ(database.execAndGet("PRAGMA journal_mode").getString(), "delete");
+    EXPECT_EQ(database.execAndGet("PRAGMA integrity_check").getString(), "ok");
+    EXPECT_EQ(count("pragma_foreign_key_check"), 0);
+    EXPECT_EQ(count("pragma_table_list WHERE type = 'table' AND name NOT LIKE 'sqlite_%' AND NOT strict"), 0);
+    EXPECT_EQ(files(), 1U) << "the one file is all there is between writes";
+}
+
+TEST_F(StoreTest, ForeignKeysHold) {
+    const long run_id = add(example_scene(), example_result());
+    SQLite::Database database = raw();
+    database.exec("PRAGMA foreign_keys = ON");
+    EXPECT_THROW(database.exec("DELETE FROM scenario"), SQLite::Exception);
+    EXPECT_THROW(database.exec("INSERT INTO measure (run_id) VALUES (99)"), SQLite::Exception);
+    EXPECT_THROW(database.exec("UPDATE run SET status = 'running'"), SQLite::Exception);
+    EXPECT_THROW(database.exec("UPDATE measure SET run_out_m = 'far'"), SQLite::Exception);
+    database.exec("DELETE FROM run WHERE run_id = " + std::to_string(run_id));
+    for (const char* table : {"measure", "series", "deposit_profile", "phase_time"})
+        EXPECT_EQ(count(table), 0) << table;
+}
+
+// ---- one question, one row
+
+TEST_F(StoreTest, EqualScenesShareTheirRows) {
+    Scene copy = example_scene();
+    copy.name = "the same under another name";
+    copy.profile.origin = "copy.csv";
+    add(example_scene(), example_result());
+    add(copy, example_result());
+    EXPECT_EQ(count("section"), 1);
+    EXPECT_EQ(count("source"), 1);
+    EXPECT_EQ(count("scenario"), 1);
+    EXPECT_EQ(count("run"), 2);
+    const auto runs = Store(path, Store::Mode::read).runs();
+    ASSERT_EQ(runs.size(), 2U);
+    EXPECT_EQ(runs[0].section_origin, "profiles/cut-60.csv");
+    EXPECT_EQ(runs[1].section_origin, "copy.csv");
+    EXPECT_EQ(runs[1].name, copy.name);
+}
+
+TEST_F(StoreTest, WhatDiffersGetsItsOwnRow) {
+    Scene soil = example_scene();
+    soil.material.friction_angle = 0.5;
+    Scene mass = example_scene();
+    mass.source.outline[2].y() += 1e-9;
+    Scene ground = example_scene();
+    ground.profile.ground[3].x() += 1e-9;
+    for (const Scene& scene : {example_scene(), soil, mass, ground}) add(scene, example_result());
+    EXPECT_EQ(count("section"), 2);
+    EXPECT_EQ(count("source"), 3);
+    EXPECT_EQ(count("scenario"), 4);
+}
+
+}  // namespace
+}  // namespace runout
