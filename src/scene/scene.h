@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "profile/profile.h"
 #include "source/source.h"
@@ -9,29 +10,29 @@ namespace runout {
 
 /// Coulomb soil at critical state.
 struct Material {
-    double density = 2000;       ///< bulk, kg/m3
-    double friction_angle = 0;   ///< phi_crit, rad
+    double density = 2000;      ///< bulk, kg/m3
+    double friction_angle = 0;  ///< phi_crit, rad
 };
 
 /// How the deviatoric stress follows from the strain rate.
 enum class FrictionScheme {
-    projected,   ///< yield condition as a constraint, solved by projected iteration: stops
-    explicit_,   ///< eq. 8 from the current strain rate, the paper as printed: creeps
+    projected,  ///< yield condition as a constraint, solved by projected iteration: stops
+    explicit_,  ///< eq. 8 from the current strain rate, the paper as printed: creeps
 };
 
 /// Numbers of the simulation that are not the ground, the mass or the soil.
 struct RunSettings {
-    double particle_spacing = 0;     ///< dl, m; 0: from `resolution`
-    double resolution = 40;          ///< sqrt(S)/dl when no spacing is given
-    double gravity = 9.81;           ///< m/s2
-    double courant = 0.1;            ///< C_max of eq. 6
-    double smoothing_ratio = 1.3;    ///< h/dl
+    double particle_spacing = 0;   ///< dl, m; 0: from `resolution`
+    double resolution = 40;        ///< sqrt(S)/dl when no spacing is given
+    double gravity = 9.81;         ///< m/s2
+    double courant = 0.1;          ///< C_max of eq. 6
+    double smoothing_ratio = 1.3;  ///< h/dl
     FrictionScheme friction = FrictionScheme::projected;
     int friction_iterations = 5;
     double pressure_tolerance = 1e-2;  ///< relative residual of the pressure equation
-    double time_limit = 0;           ///< s of simulated time; 0: 60 sqrt(H/g)
-    double front_thickness = 0;      ///< m, threshold of the contiguous front; 0: 3 % of sqrt(S)
-    int threads = 0;                 ///< 0: all cores
+    double time_limit = 0;             ///< s of simulated time; 0: 60 sqrt(H/g)
+    double front_thickness = 0;        ///< m, threshold of the contiguous front; 0: 3 % of sqrt(S)
+    int threads = 0;                   ///< 0: all cores
 };
 
 /// The question, whole and valid: what stands, what moves, of what, and how to simulate it.
@@ -41,6 +42,24 @@ struct Scene {
     Source source;
     Material material;
     RunSettings run;
+    std::vector<std::string>
+        assumed;  ///< "source.base_angle_deg = 35", what was not given and had to be chosen
 };
+
+/// The ground and what may come down from it: a scene before anyone has said of what soil.
+struct Site {
+    Profile profile;
+    Source source;
+    std::vector<std::string> assumed;
+};
+
+struct CaseSpec;
+
+/// Reads the ground and derives the source. Throws InputError, also when keys of the case do not go together.
+Site make_site(const CaseSpec& spec);
+
+/// The whole scene. Throws InputError as make_site, and when the friction angle is missing or the spacing
+/// makes too few or too many particles.
+Scene make_scene(const CaseSpec& spec);
 
 }  // namespace runout

@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "core/input_error.h"
+#include "core/version.h"
+#include "program/command.h"
+
+namespace {
+
+using namespace runout;
+
+constexpr const char* examples = R"(Examples:
+  runout run cases/box-70/case.toml
+  runout run section.csv --source B --base-angle 35 --scarp-angle 80 --friction-angle 38
+  runout run case.toml --set material.friction_angle_deg=35 --db study.db --json
+  runout source section.csv --source C --height 12 --area 60
+  runout table runout.db --format csv
+  runout help keys
+
+Exit codes: 0 settled or stable, 1 ended otherwise, 2 wrong input (nothing written), 3 internal error,
+130 interrupted.)";
+
+std::string version_text() {
+    return fmt::format("runout {} (revision {}, {})", program_version(), program_revision(),
+                       compiler_description());
+}
+
+/// Standard output belongs to the answer.
+void log_to_stderr() {
+    auto logger = spdlog::stderr_color_mt("runout");
+    logger->set_pattern("runout: %^%l%$: %v");
+    spdlog::set_default_logger(logger);
+}
+
+int fail(int code, const std::string& kind, const std::string& sentence) {
+    fmt::print(stderr, "runout: {}: {}\n", kind, sentence);
+    return code;
+}
+
+bool names_no_subcommand(const CLI::App& app, const std::string& word) {
+    return !word.starts_with('-') &&
+           app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == word; }).empty();
+}
+
+int parse_failure(const CLI::App& app, const CLI::ParseError& error, const std::string& first_word) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
+    if (!first_word.empty() && names_no_subcommand(app, first_word))
+        return fail(exit_code::input_error, "error",
+                    fmt::format("{} is not a subcommand; known are run, source, table and help", first_word));
+    return fail(exit_code::input_error, "error", fmt::format("{}; see runout --help", error.what()));
+}
+
+int run_program(int argc, char** argv) {
+    CLI::App app(
+        "How far does a failing cut slope run? Takes a cross-section, derives the source mass, simulates "
+        "its\n"
+        "run-out with incompressible SPH, prints the answer and stores it.\n",
+        "runout");
+    app.set_version_flag("--version", version_text());
+    app.require_subcommand(1);
+    app.footer(examples);
+
+    Command command;
+    add_run_command(app, command);
+    add_source_command(app, command);
+    add_table_command(app, command);
+    add_help_command(app, command);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return parse_failure(app, error, argc > 1 ? argv[1] : "");
+    }
+    return command();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        log_to_stderr();
+        return run_program(argc, argv);
+    } catch (const InputError& error) {
+        return fail(exit_code::input_error, "error", error.what());
+    } catch (const std::exception& error) {
+        return fail(exit_code::internal_error, "internal error", error.what());
+    }
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "scene/case_spec.h"
+
+namespace runout {
+
+/// One key given on the command line.
+struct Override {
+    std::string option;  ///< "--friction-angle" or "--set"
+    std::string key;
+    std::string text;
+};
+
+/// FILE and everything that changes it.
+struct CaseArguments {
+    std::string file;
+    std::vector<Override> overrides;
+};
+
+/// Declares FILE, `--set` and an option for each of the keys that are used most.
+void add_case_arguments(CLI::App& subcommand, CaseArguments& arguments);
+
+/// The case with the command line's keys in place. Throws InputError.
+CaseSpec case_from(const CaseArguments& arguments);
+
+/// Says on standard error what had to be assumed.
+void log_assumptions(const std::vector<std::string>& assumed);
+
+}  // namespace runout

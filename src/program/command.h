@@ -1,0 +1,27 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace runout {
+
+// What the shell gets to see.
+namespace exit_code {
+constexpr int success = 0;         ///< settled or stable, or nothing to run
+constexpr int not_a_result = 1;    ///< the run ended by a limit or a failure of the method
+constexpr int input_error = 2;     ///< nothing was written
+constexpr int internal_error = 3;  ///< a defect of the program or of the machine
+constexpr int interrupted = 130;   ///< Ctrl-C; the run is stored as such
+}  // namespace exit_code
+
+/// The work of the subcommand that was named: set while the command line is parsed, called once after it.
+/// Returns the exit code, throws InputError.
+using Command = std::function<int()>;
+
+// Each declares one subcommand with its options, and sets `command` when it is the one that was named.
+void add_run_command(CLI::App& app, Command& command);
+void add_source_command(CLI::App& app, Command& command);
+void add_table_command(CLI::App& app, Command& command);
+void add_help_command(CLI::App& app, Command& command);
+
+}  // namespace runout

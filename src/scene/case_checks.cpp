@@ -1,0 +1,91 @@
+#include "scene/case_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "scene/parameters.h"
+
+namespace runout {
+namespace {
+
+struct Rivals {
+    std::string_view first;
+    std::string_view second;
+};
+
+/// Two ways to say the same thing.
+constexpr std::array<Rivals, 2> rivals = {{
+    {"section.file", "section.raster"},
+    {"run.particle_spacing_m", "run.resolution"},
+}};
+
+struct Companions {
+    std::string_view key;
+    std::string_view needs;
+};
+
+constexpr std::array<Companions, 3> companions = {{
+    {"section.raster", "section.line"},
+    {"section.line", "section.raster"},
+    {"section.sampling_m", "section.raster"},
+}};
+
+/// "run.resolution (case.toml, line 12)"
+std::string key_and_place(const InputPlace& place) {
+    if (place.line > 0) return fmt::format("{} ({}, line {})", place.key, place.file, place.line);
+    return fmt::format("{} ({})", place.key, place.file);
+}
+
+void check_rivals(const CaseSpec& spec) {
+    for (const Rivals& pair : rivals)
+        if (spec.has(pair.first) && spec.has(pair.second))
+            throw InputError(spec.place(pair.first), "excludes " + key_and_place(spec.place(pair.second)),
+                             "give one of the two");
+}
+
+void check_companions(const CaseSpec& spec) {
+    for (const Companions& pair : companions)
+        if (spec.has(pair.key) && !spec.has(pair.needs))
+            throw InputError(spec.place(pair.key), fmt::format("needs {}", pair.needs), "give both");
+    if (!spec.has("section.file") && !spec.has("section.raster"))
+        throw InputError(spec.place("section.file"), "is missing",
+                         "give the cross-section as CSV, or section.raster and section.line");
+}
+
+std::string type_names(const std::vector<SourceType>& types) {
+    std::string names;
+    for (const SourceType type : types) names += (names.empty() ? "" : ", ") + to_string(type);
+    return names;
+}
+
+void check_source_keys(const CaseSpec& spec) {
+    for (const Parameter& parameter : parameters()) {
+        const auto& types = parameter.applies_to;
+        if (types.empty() || !spec.has(parameter.key)) continue;
+        if (std::ranges::find(types, spec.source.type) == types.end())
+            throw InputError(spec.place(parameter.key),
+                             fmt::format("does not apply to source.type = {}", to_string(spec.source.type)),
+                             fmt::format("it belongs to {}", type_names(types)));
+    }
+}
+
+void check_friction_keys(const CaseSpec& spec) {
+    if (spec.has("run.friction_iterations") && spec.run.friction == FrictionScheme::explicit_)
+        throw InputError(spec.place("run.friction_iterations"), "does not apply to run.friction = explicit",
+                         "leave it out, or use run.friction = projected");
+}
+
+}  // namespace
+
+void check_keys_go_together(const CaseSpec& spec) {
+    check_rivals(spec);
+    check_companions(spec);
+    check_source_keys(spec);
+    check_friction_keys(spec);
+}
+
+}  // namespace runout

@@ -1,0 +1,231 @@
+#include "scene/case_file.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include "scene/parameters.h"
+
+namespace runout {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_quoted_value = 60;
+
+InputPlace whole_file(const std::string& path) {
+    return {.file = path, .line = 0, .key = {}, .value = {}};
+}
+
+std::string read_text(const std::string& path) {
+    std::error_code ignored;
+    if (!fs::exists(path, ignored))
+        throw InputError(whole_file(path), "does not exist", "give a case (.toml) or a section (.csv)");
+    if (fs::is_directory(path, ignored))
+        throw InputError(whole_file(path), "is a folder", "give the case file in it, such as case.toml");
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream text;
+    if (!stream || !(text << stream.rdbuf() || stream.peek() == std::ifstream::traits_type::eof()))
+        throw InputError(whole_file(path), "cannot be read", "check its permissions");
+    return text.str();
+}
+
+std::string lower_extension(const std::string& path) {
+    std::string extension = fs::path(path).extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return extension;
+}
+
+/// "box-45" for cases/box-45/case.toml, "cut-60" for profiles/cut-60.csv.
+std::string name_from(const std::string& path) {
+    const fs::path full = fs::absolute(path).lexically_normal();
+    return full.stem() == "case" ? full.parent_path().filename().string() : full.stem().string();
+}
+
+/// The characters of the file that make up a value, as the user wrote them.
+std::string written_value(const std::string& text, const toml::source_region& region) {
+    std::istringstream lines(text);
+    std::string line;
+    for (toml::source_index i = 0; i < region.begin.line; ++i) std::getline(lines, line);
+    if (region.begin.column == 0 || region.begin.column > line.size()) return {};
+    const bool one_line = region.end.line == region.begin.line && region.end.column > region.begin.column;
+    std::string value =
+        line.substr(region.begin.column - 1, one_line ? region.end.column - region.begin.column : line.npos);
+    while (!value.empty() && (std::isspace(static_cast<unsigned char>(value.back())) != 0)) value.pop_back();
+    if (value.size() > longest_quoted_value) value = value.substr(0, longest_quoted_value) + "...";
+    return value;
+}
+
+std::optional<Vec2> point_from(const toml::node& node) {
+    const toml::array* pair = node.as_array();
+    if (pair == nullptr || pair->size() != 2) return std::nullopt;
+    const auto x = (*pair)[0].value<double>();
+    const auto y = (*pair)[1].value<double>();
+    if (!(*pair)[0].is_number() || !(*pair)[1].is_number() || !x || !y) return std::nullopt;
+    return Vec2(*x, *y);
+}
+
+Polyline points_from(const toml::node& node, const Parameter& parameter, const InputPlace& place) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr) throw InputError(place, "is not a list", "valid: " + valid_values(parameter));
+    Polyline points;
+    for (const toml::node& entry : *list) {
+        const std::optional<Vec2> point = point_from(entry);
+        if (!point)
+            throw InputError(place,
+                             fmt::format("has an entry {} that is not a pair of numbers", points.size() + 1),
+                             "valid: " + valid_values(parameter));
+        points.push_back(*point);
+    }
+    return points;
+}
+
+Value value_from(const toml::node& node, const Parameter& parameter, const InputPlace& place) {
+    switch (parameter.kind) {
+        case ValueKind::points:
+            return points_from(node, parameter, place);
+        case ValueKind::text:
+        case ValueKind::choice:
+            if (!node.is_string())
+                throw InputError(place, "is not a text in quotes", "valid: " + valid_values(parameter));
+            return *node.value<std::string>();
+        case ValueKind::integer:
+        case ValueKind::number:
+            break;
+    }
+    if (!node.is_number()) throw InputError(place, "is not a number", "valid: " + valid_values(parameter));
+    return *node.value<double>();
+}
+
+double number_from(const std::string& text, const Parameter& parameter, const InputPlace& place) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size())
+        throw InputError(place, "is not a number", "valid: " + valid_values(parameter));
+    return value;
+}
+
+Value value_from(const std::string& text, const Parameter& parameter, const InputPlace& place) {
+    switch (parameter.kind) {
+        case ValueKind::integer:
+        case ValueKind::number:
+            return number_from(text, parameter, place);
+        case ValueKind::text:
+        case ValueKind::choice:
+            return text;
+        case ValueKind::points:
+            break;
+    }
+    try {
+        const toml::table parsed = toml::parse("points = " + text);
+        return points_from(*parsed.get("points"), parameter, place);
+    } catch (const toml::parse_error&) {
+        throw InputError(place, "is not a list", "valid: " + valid_values(parameter));
+    }
+}
+
+bool is_section(std::string_view name) {
+    return std::ranges::any_of(parameters(), [&](const Parameter& parameter) {
+        return parameter.key.starts_with(fmt::format("{}.", name));
+    });
+}
+
+/// Reads the keys of a parsed file, and keeps what error messages need.
+class CaseReader {
+  public:
+    CaseReader(CaseSpec& spec, const std::string& text) : spec_(spec), text_(text) {}
+
+    void read(const toml::table& root) {
+        for (const auto& [key, node] : root) {
+            const std::string name(key.str());
+            const toml::table* section = node.as_table();
+            if (section == nullptr || !is_section(name)) throw unknown_key(first_place(name, key, node));
+            read_section(name, *section);
+        }
+    }
+
+  private:
+    void read_section(const std::string& section, const toml::table& table) {
+        for (const auto& [key, node] : table) {
+            const InputPlace at = place(fmt::format("{}.{}", section, key.str()), key, node);
+            const Parameter& parameter = known_parameter(at);
+            assign(spec_, parameter, value_from(node, parameter, at), at);
+        }
+    }
+
+    /// Of a section that does not exist, its first key tells best what was meant.
+    [[nodiscard]] InputPlace first_place(const std::string& name, const toml::key& key,
+                                         const toml::node& node) const {
+        const toml::table* table = node.as_table();
+        if (table == nullptr || table->empty()) return place(name, key, node);
+        const auto [first, value] = *table->begin();
+        return place(fmt::format("{}.{}", name, first.str()), first, value);
+    }
+
+    [[nodiscard]] InputPlace place(std::string name, const toml::key& key, const toml::node& node) const {
+        return {.file = spec_.file,
+                .line = static_cast<int>(key.source().begin.line),
+                .key = std::move(name),
+                .value = node.is_table() ? "" : written_value(text_, node.source())};
+    }
+
+    CaseSpec& spec_;
+    const std::string& text_;
+};
+
+/// Paths in a case file start at the case file, so that a case can be run from anywhere.
+void resolve_paths(SectionSpec& section, const std::string& case_file) {
+    const fs::path folder = fs::path(case_file).parent_path();
+    for (std::string* path : {&section.file, &section.raster, &section.line})
+        if (!path->empty()) *path = (folder / *path).lexically_normal().string();
+}
+
+void read_toml(CaseSpec& spec) {
+    const std::string text = read_text(spec.file);
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+        throw InputError(whole_file(spec.file), "is empty",
+                         "a case has [section], [source], [material] and [run]");
+    try {
+        const toml::table root = toml::parse(text, spec.file);
+        CaseReader(spec, text).read(root);
+    } catch (const toml::parse_error& error) {
+        throw InputError({spec.file, static_cast<int>(error.source().begin.line), {}, {}},
+                         fmt::format("is not valid TOML ({})", error.description()), "write key = value");
+    }
+    resolve_paths(spec.section, spec.file);
+}
+
+}  // namespace
+
+CaseSpec read_case(const std::string& path) {
+    CaseSpec spec;
+    spec.file = path;
+    const std::string extension = lower_extension(path);
+    if (extension == ".toml") {
+        read_toml(spec);
+    } else if (extension == ".csv") {
+        const InputPlace place{.file = path, .line = 0, .key = "section.file", .value = {}};
+        assign(spec, known_parameter(place), path, place);
+    } else {
+        read_text(path);  // a missing file is the likelier mistake, and says so
+        throw InputError(whole_file(path), "is neither a case nor a section", "give a .toml or a .csv file");
+    }
+    if (!spec.has("run.name")) spec.name = name_from(path);
+    return spec;
+}
+
+void override_value(CaseSpec& spec, const std::string& key, const std::string& text,
+                    const std::string& option) {
+    const InputPlace place{.file = option, .line = 0, .key = key, .value = text};
+    const Parameter& parameter = known_parameter(place);
+    assign(spec, parameter, value_from(text, parameter, place), place);
+}
+
+}  // namespace runout

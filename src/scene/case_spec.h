@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "core/input_error.h"
+#include "profile/profile.h"
+#include "scene/scene.h"
+#include "source/source.h"
+
+namespace runout {
+
+/// Where the ground comes from: a CSV, or a raster and a line across it.
+struct SectionSpec {
+    std::string file;
+    std::string raster;
+    std::string line;
+    double sampling_m = 0;  ///< 0: half a raster cell
+    ProfileOptions options;
+};
+
+/// What the user said, key by key, in SI and radians. Each value is within its own range; whether the values
+/// go together is found out by make_scene.
+struct CaseSpec {
+    std::string file;  ///< the case file or bare section, as the user named it
+    std::string name;
+    SectionSpec section;
+    SourceSpec source;
+    Material material{.friction_angle = std::numeric_limits<double>::quiet_NaN()};  ///< NaN: not given
+    RunSettings run;
+
+    /// Every key that was given: where, and what stood there. Keys that are absent here have their defaults.
+    std::map<std::string, InputPlace, std::less<>> given;
+
+    [[nodiscard]] bool has(std::string_view key) const { return given.find(key) != given.end(); }
+
+    /// Where `key` was given; file and key only when it was not.
+    [[nodiscard]] InputPlace place(std::string_view key) const {
+        const auto found = given.find(key);
+        if (found != given.end()) return found->second;
+        return {.file = file, .line = 0, .key = std::string(key), .value = {}};
+    }
+};
+
+}  // namespace runout

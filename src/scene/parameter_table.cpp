@@ -1,0 +1,247 @@
+#include <cmath>
+#include <utility>
+
+#include "core/units.h"
+#include "scene/parameters.h"
+
+// The one place where a key of a case file is declared. Reading, range checks, `--set`, the options of
+// `runout run` and `runout help keys` all follow from this table.
+
+namespace runout {
+namespace {
+
+constexpr Range any_number{};
+constexpr Range positive{.low = 0};
+constexpr Range zero_or_more{.low = 0, .low_included = true};
+
+constexpr Range above_zero_up_to(double high) {
+    return {.low = 0, .high = high, .low_included = false, .high_included = true};
+}
+constexpr Range between(double low, double high) {
+    return {.low = low, .high = high, .low_included = true, .high_included = true};
+}
+constexpr Range from_to_below(double low, double high) {
+    return {.low = low, .high = high, .low_included = true, .high_included = false};
+}
+
+using Words = std::vector<std::string_view>;
+using SetNumber = void (*)(CaseSpec&, double);
+using SetInteger = void (*)(CaseSpec&, int);
+using SetText = void (*)(CaseSpec&, const std::string&);
+using SetPoints = void (*)(CaseSpec&, const Polyline&);
+
+Parameter number(std::string_view key, std::string_view unit, Range range, std::string_view fallback,
+                 std::string_view help, SetNumber set) {
+    return {key,
+            ValueKind::number,
+            unit,
+            range,
+            {},
+            fallback,
+            help,
+            {},
+            [set](CaseSpec& spec, const Value& value) { set(spec, std::get<double>(value)); }};
+}
+
+Parameter integer(std::string_view key, Range range, std::string_view fallback, std::string_view help,
+                  SetInteger set) {
+    return {key,
+            ValueKind::integer,
+            "",
+            range,
+            {},
+            fallback,
+            help,
+            {},
+            [set](CaseSpec& spec, const Value& value) {
+                set(spec, static_cast<int>(std::lround(std::get<double>(value))));
+            }};
+}
+
+Parameter word(std::string_view key, Words choices, std::string_view fallback, std::string_view help,
+               SetText set) {
+    return {key,
+            choices.empty() ? ValueKind::text : ValueKind::choice,
+            "",
+            {},
+            std::move(choices),
+            fallback,
+            help,
+            {},
+            [set](CaseSpec& spec, const Value& value) { set(spec, std::get<std::string>(value)); }};
+}
+
+Parameter points(std::string_view key, std::string_view fallback, std::string_view help, SetPoints set) {
+    return {
+        key, ValueKind::points, "m", {}, {}, fallback, help, {}, [set](CaseSpec& spec, const Value& value) {
+            set(spec, std::get<Polyline>(value));
+        }};
+}
+
+Parameter only_for(std::vector<SourceType> types, Parameter parameter) {
+    parameter.applies_to = std::move(types);
+    return parameter;
+}
+
+SourceType source_type(const std::string& name) {
+    for (const SourceType type :
+         {SourceType::rectangle, SourceType::a, SourceType::b, SourceType::c, SourceType::polygon})
+        if (name == to_string(type)) return type;
+    return SourceType::slip_surface;
+}
+
+std::vector<Parameter> section_parameters() {
+    return {
+        word("section.file", {}, "required, unless section.raster is given",
+             "Cross-section as CSV with columns chainage_m and elevation_m; relative to the case file.",
+             [](CaseSpec& spec, const std::string& path) { spec.section.file = path; }),
+        word("section.raster", {}, "none", "Elevation raster that GDAL can read; needs section.line.",
+             [](CaseSpec& spec, const std::string& path) { spec.section.raster = path; }),
+        word("section.line", {}, "none", "Vector file with the one section line to sample the raster along.",
+             [](CaseSpec& spec, const std::string& path) { spec.section.line = path; }),
+        number("section.sampling_m", "m", positive, "half a raster cell",
+               "Distance between samples of the raster.",
+               [](CaseSpec& spec, double metres) { spec.section.sampling_m = metres; }),
+        number("section.toe_chainage_m", "m", any_number, "found on the section",
+               "Chainage of the foot of the cut.",
+               [](CaseSpec& spec, double metres) { spec.section.options.toe_chainage_m = metres; }),
+        number("section.crest_chainage_m", "m", any_number, "found on the section",
+               "Chainage of the upper edge of the cut.",
+               [](CaseSpec& spec, double metres) { spec.section.options.crest_chainage_m = metres; }),
+    };
+}
+
+std::vector<Parameter> source_shape_parameters() {
+    using enum SourceType;
+    return {
+        word("source.type", {"rectangle", "A", "B", "C", "polygon", "slip_surface"}, "B",
+             "Shape of the moving mass (docs/source-shapes.md).",
+             [](CaseSpec& spec, const std::string& name) { spec.source.type = source_type(name); }),
+        only_for({a, b, c},
+                 number("source.base_angle_deg", "deg", from_to_below(0, 90), "35",
+                        "Dip of the basal slip surface.",
+                        [](CaseSpec& spec, double angle) { spec.source.base_angle = radians(angle); })),
+        only_for({b, c},
+                 number("source.scarp_angle_deg", "deg", above_zero_up_to(90), "80",
+                        "Inclination of the back scarp; for B steeper than the face.",
+                        [](CaseSpec& spec, double angle) { spec.source.scarp_angle = radians(angle); })),
+        only_for({rectangle, a, b, c}, number("source.area_m2", "m2", positive, "from the other sizes",
+                                              "Cross-sectional area of the source.",
+                                              [](CaseSpec& spec, double area) { spec.source.area = area; })),
+        only_for({b, c}, number("source.height_m", "m", positive,
+                                "B: the whole face, unless an area is given; C: down to the toe",
+                                "B: from the exit point P up to the apex; C: from P up to the crest.",
+                                [](CaseSpec& spec, double metres) { spec.source.height = metres; })),
+        only_for({rectangle, a}, number("source.length_m", "m", positive, "from area and aspect ratio",
+                                        "Length along the base.",
+                                        [](CaseSpec& spec, double metres) { spec.source.length = metres; })),
+        only_for({rectangle, a},
+                 number("source.thickness_m", "m", positive, "from area and aspect ratio",
+                        "Thickness normal to the base.",
+                        [](CaseSpec& spec, double metres) { spec.source.thickness = metres; })),
+        only_for({rectangle, a},
+                 number("source.aspect_ratio", "", above_zero_up_to(100), "from length and thickness",
+                        "Length over thickness; the paper uses 1 to 3.",
+                        [](CaseSpec& spec, double ratio) { spec.source.aspect = ratio; })),
+    };
+}
+
+std::vector<Parameter> source_place_parameters() {
+    using enum SourceType;
+    return {
+        only_for({rectangle, a, b, c},
+                 number("source.drop_height_m", "m", zero_or_more,
+                        "rectangle: head at the crest; A, B: base at the toe; C: follows",
+                        "Height H_d of the source above the toe, to the point named by drop_height_datum.",
+                        [](CaseSpec& spec, double metres) { spec.source.drop_height = metres; })),
+        word("source.drop_height_datum", {"head", "base"}, "head",
+             "The drop height is measured to the head (uppermost ground point) or to the lower end of the "
+             "source.",
+             [](CaseSpec& spec, const std::string& name) {
+                 spec.source.datum = name == "base" ? DropDatum::base : DropDatum::head;
+             }),
+        number("source.discontinuity_angle_deg", "deg", above_zero_up_to(90), "55",
+               "Plane through P above which the mass forms the front (S_front); 55 holds near a friction "
+               "angle of 38.",
+               [](CaseSpec& spec, double angle) { spec.source.discontinuity_angle = radians(angle); }),
+        only_for(
+            {polygon, slip_surface},
+            points(
+                "source.points", "required for polygon and slip_surface",
+                "Corners of the polygon, or the slip line from end to end: [[chainage, elevation], ...] as "
+                "in the section file.",
+                [](CaseSpec& spec, const Polyline& corners) { spec.source.points = corners; })),
+    };
+}
+
+std::vector<Parameter> material_parameters() {
+    return {
+        number("material.density_kg_m3", "kg/m3", between(100, 20000), "2000", "Bulk density.",
+               [](CaseSpec& spec, double density) { spec.material.density = density; }),
+        number("material.friction_angle_deg", "deg", from_to_below(0, 80), "required",
+               "Internal friction angle at critical state.",
+               [](CaseSpec& spec, double angle) { spec.material.friction_angle = radians(angle); }),
+    };
+}
+
+std::vector<Parameter> physical_run_parameters() {
+    return {
+        word("run.name", {}, "name of the file or of its folder", "Name of the case in tables and reports.",
+             [](CaseSpec& spec, const std::string& name) { spec.name = name; }),
+        number("run.gravity_m_s2", "m/s2", above_zero_up_to(10000), "9.81", "Acceleration of gravity.",
+               [](CaseSpec& spec, double gravity) { spec.run.gravity = gravity; }),
+        number("run.time_limit_s", "s", positive, "60 sqrt(H/g), H the height of the head above the toe",
+               "Simulated time after which the run ends even if the mass still moves.",
+               [](CaseSpec& spec, double seconds) { spec.run.time_limit = seconds; }),
+        number("run.front_thickness_m", "m", positive, "3 % of sqrt(source area)",
+               "The front is where the contiguous deposit gets thinner than this.",
+               [](CaseSpec& spec, double metres) { spec.run.front_thickness = metres; }),
+    };
+}
+
+std::vector<Parameter> numerical_run_parameters() {
+    return {
+        number("run.resolution", "", between(4, 2000), "40", "sqrt(source area) over particle spacing.",
+               [](CaseSpec& spec, double ratio) { spec.run.resolution = ratio; }),
+        number("run.particle_spacing_m", "m", positive, "from run.resolution",
+               "Distance between particles; excludes run.resolution.",
+               [](CaseSpec& spec, double metres) { spec.run.particle_spacing = metres; }),
+        number("run.courant", "", above_zero_up_to(0.5), "0.1",
+               "C_max: no particle moves further than this share of the spacing in a step.",
+               [](CaseSpec& spec, double courant) { spec.run.courant = courant; }),
+        number("run.smoothing_ratio", "", between(1, 2), "1.3", "Smoothing length over particle spacing.",
+               [](CaseSpec& spec, double ratio) { spec.run.smoothing_ratio = ratio; }),
+        word("run.friction", {"projected", "explicit"}, "projected",
+             "projected: the yield condition as a constraint, comes to rest; explicit: the paper as printed, "
+             "creeps.",
+             [](CaseSpec& spec, const std::string& name) {
+                 spec.run.friction =
+                     name == "explicit" ? FrictionScheme::explicit_ : FrictionScheme::projected;
+             }),
+        integer("run.friction_iterations", between(1, 1000), "5",
+                "Iterations of the projected friction in a step.",
+                [](CaseSpec& spec, int count) { spec.run.friction_iterations = count; }),
+        number("run.pressure_tolerance", "", between(1e-12, 0.1), "0.01",
+               "Relative residual at which the pressure equation counts as solved.",
+               [](CaseSpec& spec, double tolerance) { spec.run.pressure_tolerance = tolerance; }),
+        integer("run.threads", between(1, 1024), "all cores", "Threads of the run.",
+                [](CaseSpec& spec, int count) { spec.run.threads = count; }),
+    };
+}
+
+std::vector<Parameter> whole_table() {
+    std::vector<Parameter> table;
+    for (const auto& part : {section_parameters(), source_shape_parameters(), source_place_parameters(),
+                             material_parameters(), physical_run_parameters(), numerical_run_parameters()})
+        table.insert(table.end(), part.begin(), part.end());
+    return table;
+}
+
+}  // namespace
+
+std::span<const Parameter> parameters() {
+    static const std::vector<Parameter> table = whole_table();
+    return table;
+}
+
+}  // namespace runout

@@ -1,0 +1,120 @@
+#include "scene/parameters.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace runout {
+namespace {
+
+/// Levenshtein distance: insertions, deletions and replacements that turn one word into the other.
+std::size_t edit_distance(std::string_view from, std::string_view to) {
+    std::vector<std::size_t> row(to.size() + 1);
+    for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= from.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i);
+        for (std::size_t j = 1; j <= to.size(); ++j) {
+            const std::size_t replaced = diagonal + (from[i - 1] == to[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+        }
+    }
+    return row.back();
+}
+
+/// "density_kg_m3" of "material.density_kg_m3".
+std::string_view last_part(std::string_view key) {
+    return key.substr(key.rfind('.') + 1);
+}
+
+/// A key in the wrong section is as near as a key with a typing error, so the last parts are compared too;
+/// and a key without its unit ("friction_angle") is nearer than any typing error.
+std::size_t key_distance(std::string_view typed, std::string_view known) {
+    if (last_part(known).starts_with(last_part(typed)) && !last_part(typed).empty()) return 1;
+    return std::min(edit_distance(typed, known), edit_distance(last_part(typed), last_part(known)) + 1);
+}
+
+const Parameter& nearest_parameter(std::string_view typed) {
+    return *std::ranges::min_element(
+        parameters(), {}, [&](const Parameter& parameter) { return key_distance(typed, parameter.key); });
+}
+
+void check_number(const Parameter& parameter, double value, const InputPlace& place) {
+    if (!std::isfinite(value))
+        throw InputError(place, "is not a finite number", "valid: " + valid_values(parameter));
+    if (parameter.kind == ValueKind::integer && value != std::floor(value))
+        throw InputError(place, "is not a whole number", "valid: " + valid_values(parameter));
+    if (!parameter.range.contains(value))
+        throw InputError(place, "is out of range", "valid: " + valid_values(parameter));
+}
+
+void check_word(const Parameter& parameter, const std::string& value, const InputPlace& place) {
+    if (value.empty()) throw InputError(place, "is empty", "valid: " + valid_values(parameter));
+    if (parameter.kind == ValueKind::choice &&
+        std::ranges::find(parameter.choices, value) == parameter.choices.end())
+        throw InputError(place, "is not known", "valid: " + valid_values(parameter));
+}
+
+void check_points(const Polyline& points, const InputPlace& place) {
+    for (const Vec2& point : points)
+        if (!point.allFinite()) throw InputError(place, "has a coordinate that is not finite", "give metres");
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+    const bool above = low_included ? value >= low : value > low;
+    const bool below = high_included ? value <= high : value < high;
+    return above && below;
+}
+
+const Parameter* find_parameter(std::string_view key) {
+    const auto found = std::ranges::find(parameters(), key, &Parameter::key);
+    return found == parameters().end() ? nullptr : &*found;
+}
+
+InputError unknown_key(const InputPlace& place) {
+    return {place, "is not a known key",
+            fmt::format("the nearest is {} (runout help keys lists all)", nearest_parameter(place.key).key)};
+}
+
+const Parameter& known_parameter(const InputPlace& place) {
+    if (const Parameter* parameter = find_parameter(place.key)) return *parameter;
+    throw unknown_key(place);
+}
+
+void assign(CaseSpec& spec, const Parameter& parameter, const Value& value, const InputPlace& place) {
+    if (const double* number = std::get_if<double>(&value)) check_number(parameter, *number, place);
+    if (const std::string* word = std::get_if<std::string>(&value)) check_word(parameter, *word, place);
+    if (const Polyline* points = std::get_if<Polyline>(&value)) check_points(*points, place);
+    parameter.set(spec, value);
+    spec.given.insert_or_assign(std::string(parameter.key), place);
+}
+
+std::string valid_values(const Parameter& parameter) {
+    const std::string unit = parameter.unit.empty() ? "" : fmt::format(" {}", parameter.unit);
+    const Range& range = parameter.range;
+    switch (parameter.kind) {
+        case ValueKind::choice:
+            return fmt::format("one of {}", fmt::join(parameter.choices, ", "));
+        case ValueKind::text:
+            return "a text";
+        case ValueKind::points:
+            return "a list of [chainage, elevation] pairs in metres";
+        case ValueKind::integer:
+        case ValueKind::number:
+            break;
+    }
+    const std::string noun = parameter.kind == ValueKind::integer ? "whole number" : "number";
+    if (std::isinf(range.low) && std::isinf(range.high))
+        return fmt::format("any {}{}", noun, parameter.unit.empty() ? "" : " in" + unit);
+    if (std::isinf(range.high))
+        return fmt::format("a {} {} {}{}", noun, range.low_included ? ">=" : ">", range.low, unit);
+    return fmt::format("{} {} {} {} {}{}", range.low, range.low_included ? "<=" : "<", noun,
+                       range.high_included ? "<=" : "<", range.high, unit);
+}
+
+}  // namespace runout

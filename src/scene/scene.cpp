@@ -1,0 +1,117 @@
+#include "scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/units.h"
+#include "scene/case_checks.h"
+#include "scene/case_spec.h"
+#include "scene/parameters.h"
+
+namespace runout {
+namespace {
+
+// Fewer particles have no inside; more would not end within days and are a slip of the unit.
+constexpr double fewest_particles = 4;
+constexpr double most_particles = 5e6;
+
+Profile read_ground(const SectionSpec& section) {
+    if (!section.file.empty()) return read_profile_csv(section.file, section.options);
+    return read_profile_dem({section.raster, section.line, section.sampling_m}, section.options);
+}
+
+bool dips(SourceType type) {
+    return type == SourceType::a || type == SourceType::b || type == SourceType::c;
+}
+
+bool has_scarp(SourceType type) {
+    return type == SourceType::b || type == SourceType::c;
+}
+
+/// Gives `value` a default and says so; a value that the user gave stays.
+void assume(double& value, double fallback, const std::string& sentence, std::vector<std::string>& assumed) {
+    if (!std::isnan(value)) return;
+    value = fallback;
+    assumed.push_back(sentence);
+}
+
+/// For the messages of the geometry: where each key of the source stands, or would stand.
+std::map<std::string, InputPlace> source_places(const CaseSpec& spec) {
+    std::map<std::string, InputPlace> places;
+    for (const Parameter& parameter : parameters())
+        if (parameter.key.starts_with("source.")) places.emplace(parameter.key, spec.place(parameter.key));
+    return places;
+}
+
+/// What an engineer would try first when only a section is at hand: a wedge (type B) with the angles of the
+/// paper's Fig. 15.
+SourceSpec with_defaults(const CaseSpec& spec, std::vector<std::string>& assumed) {
+    SourceSpec source = spec.source;
+    source.places = source_places(spec);
+    if (!spec.has("source.type")) assumed.emplace_back("source.type = B");
+    if (dips(source.type)) assume(source.base_angle, radians(35), "source.base_angle_deg = 35", assumed);
+    if (has_scarp(source.type))
+        assume(source.scarp_angle, radians(80), "source.scarp_angle_deg = 80", assumed);
+    return source;
+}
+
+/// Where derive_source put a source whose place or height was left open.
+void say_where_it_was_put(const CaseSpec& spec, const Site& site, std::vector<std::string>& assumed) {
+    const Source& source = site.source;
+    const bool sized_by_area = source.type == SourceType::b && spec.has("source.area_m2");
+    if (has_scarp(source.type) && !sized_by_area && !spec.has("source.height_m")) {
+        const double top =
+            source.type == SourceType::b ? source.head.y() : site.profile.ground[site.profile.crest].y();
+        assumed.push_back(fmt::format("source.height_m = {:.6g}", top - source.exit_point.y()));
+    }
+    const bool placed =
+        source.type == SourceType::rectangle || source.type == SourceType::a || source.type == SourceType::b;
+    if (placed && !spec.has("source.drop_height_m"))
+        assumed.push_back(fmt::format("source.drop_height_m = {:.6g}", source.drop_height));
+}
+
+void check_particle_count(const CaseSpec& spec, double area) {
+    const double spacing = spec.run.particle_spacing;
+    if (spacing <= 0) return;  // from the resolution, whose range bounds the number
+    const double count = area / (spacing * spacing);
+    const double finest = std::sqrt(area / most_particles);
+    const double coarsest = std::sqrt(area / fewest_particles);
+    if (count < fewest_particles || count > most_particles)
+        throw InputError(spec.place("run.particle_spacing_m"),
+                         fmt::format("makes {:.3g} particles of a source of {:.4g} m2", count, area),
+                         fmt::format("valid: {:.3g} to {:.3g} m", finest, coarsest));
+}
+
+void check_friction_angle(const CaseSpec& spec) {
+    if (std::isnan(spec.material.friction_angle))
+        throw InputError(spec.place("material.friction_angle_deg"), "is missing",
+                         "give the internal friction angle, 0 <= number < 80 deg");
+}
+
+}  // namespace
+
+Site make_site(const CaseSpec& spec) {
+    check_keys_go_together(spec);
+    Site site;
+    site.profile = read_ground(spec.section);
+    site.source = derive_source(site.profile, with_defaults(spec, site.assumed));
+    say_where_it_was_put(spec, site, site.assumed);
+    return site;
+}
+
+Scene make_scene(const CaseSpec& spec) {
+    check_friction_angle(spec);
+    Site site = make_site(spec);
+    check_particle_count(spec, site.source.area);
+    return {.name = spec.name,
+            .profile = std::move(site.profile),
+            .source = std::move(site.source),
+            .material = spec.material,
+            .run = spec.run,
+            .assumed = std::move(site.assumed)};
+}
+
+}  // namespace runout
