@@ -6,10 +6,12 @@
 namespace runout {
 
 /// Parts of a step whose time is taken.
-enum class Phase { neighbours, friction, pressure, motion, count };
+enum class Phase { equilibrium, neighbours, friction, pressure, motion, count };
 
 constexpr const char* to_string(Phase phase) {
     switch (phase) {
+        case Phase::equilibrium:
+            return "equilibrium";
         case Phase::neighbours:
             return "neighbours";
         case Phase::friction:

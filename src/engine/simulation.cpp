@@ -83,38 +83,39 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
     start_y_ = packing.y;
     for (auto* field : {&predicted_vx_, &predicted_vy_, &force_x_, &force_y_})
         field->assign(soil_.padded(), 0.0);
-    find_equilibrium();
-}
-
-/// Pressure and stress in balance on the frozen geometry before release, the mass not yet moving. Without it
-/// the first moments of every run, and cases close to stability, are wrong. Ends when the acceleration at
-/// release no longer changes.
-void Simulation::find_equilibrium() {
+    release_ax_.assign(soil_.count, 0.0);
+    release_ay_.assign(soil_.count, 0.0);
     search_.sort(soil_);
     search_.find(soil_, wall_, neighbours_);
+}
+
+/// One round towards pressure and stress in balance on the frozen geometry, the mass not yet moving. Without
+/// it the first moments of every run, and cases close to stability, are wrong. Ends when the acceleration at
+/// release no longer changes; then the mass is released.
+void Simulation::balance() {
     const double dt = 0.1 * discretisation_.spacing / std::sqrt(run_.gravity * length_scale_);
-    const PressureStep frozen{dt, 1.0, false};
-    std::vector<double> ax(soil_.count, 0.0);
-    std::vector<double> ay(soil_.count, 0.0);
-    for (int round = 0; round < equilibrium_rounds; ++round) {
-        friction_.predict(neighbours_, soil_, wall_, dt, predicted_vx_, predicted_vy_,
-                          equilibrium_iterations);
-        highest_pressure_ =
-            pressure_.solve(neighbours_, soil_, wall_, predicted_vx_, predicted_vy_, frozen).highest;
-        find_pressure_gradient();
-        double change2 = 0.0;
-        for (int i = 0; i < soil_.count; ++i) {
-            const double x = predicted_vx_[i] / dt - force_x_[i] / discretisation_.density;
-            const double y = predicted_vy_[i] / dt - force_y_[i] / discretisation_.density;
-            change2 += (x - ax[i]) * (x - ax[i]) + (y - ay[i]) * (y - ay[i]);
-            ax[i] = x;
-            ay[i] = y;
-        }
-        if (std::sqrt(change2 / soil_.count) < equilibrium_change * run_.gravity) break;
+    clock_.enter(Phase::equilibrium);
+    friction_.predict(neighbours_, soil_, wall_, dt, predicted_vx_, predicted_vy_, equilibrium_iterations);
+    highest_pressure_ =
+        pressure_.solve(neighbours_, soil_, wall_, predicted_vx_, predicted_vy_, {dt, 1.0, false}).highest;
+    find_pressure_gradient();
+    double change2 = 0.0;
+    for (int i = 0; i < soil_.count; ++i) {
+        const double ax = predicted_vx_[i] / dt - force_x_[i] / discretisation_.density;
+        const double ay = predicted_vy_[i] / dt - force_y_[i] / discretisation_.density;
+        change2 +=
+            (ax - release_ax_[i]) * (ax - release_ax_[i]) + (ay - release_ay_[i]) * (ay - release_ay_[i]);
+        release_ax_[i] = ax;
+        release_ay_[i] = ay;
     }
+    clock_.leave();
+    ++balance_rounds_;
+    const bool unchanged = std::sqrt(change2 / soil_.count) < equilibrium_change * run_.gravity;
+    released_ = unchanged || balance_rounds_ >= equilibrium_rounds;
 }
 
 void Simulation::step() {
+    if (!released_) return balance();
     clock_.enter(Phase::neighbours);
     search_.sort(soil_);
     search_.find(soil_, wall_, neighbours_);
@@ -254,7 +255,7 @@ void Simulation::judge() {
     }
     const double limit = rest_energy * run_.gravity * length_scale_;
     if (0.5 * kinetic / soil_.count > limit) last_motion_ = time_;
-    if (time_ - last_motion_ > rest_time * time_scale_) {
+    if (rested() >= 1.0) {
         const bool stood = moved2 < std::pow(standing_spacings * discretisation_.spacing, 2);
         return end(stood ? RunStatus::stable : RunStatus::settled);
     }
@@ -266,6 +267,10 @@ void Simulation::judge() {
     if (time_ >= time_limit_) {
         end(RunStatus::time_limit, fmt::format("still moving at the time limit of {:.4g} s", time_limit_));
     }
+}
+
+double Simulation::rested() const {
+    return (time_ - last_motion_) / (rest_time * time_scale_);
 }
 
 StateView Simulation::state() const {

@@ -43,6 +43,7 @@ class Simulation {
 
     /// One time step, in the paper's order:
     ///   neighbours -> time step -> friction (predictor) -> pressure (projection) -> correct -> move
+    /// The first calls find the state of stress at release instead; time stands still meanwhile.
     void step();
 
     [[nodiscard]] RunStatus status() const { return status_; }
@@ -52,6 +53,8 @@ class Simulation {
     [[nodiscard]] double time_limit() const { return time_limit_; }
     /// Last instant at which the mass was still moving, s.
     [[nodiscard]] double motion_ended() const { return last_motion_; }
+    /// Share of the time that the mass must rest before the run ends, 0 while it moves.
+    [[nodiscard]] double rested() const;
     [[nodiscard]] StateView state() const;
     [[nodiscard]] EnergyBudget energy() const;
     /// Force of the soil on the bed as the pairs carry it, N per metre of width.
@@ -65,7 +68,7 @@ class Simulation {
 
   private:
     Simulation(const Scene& scene, const Packing& packing);
-    void find_equilibrium();
+    void balance();
     [[nodiscard]] double choose_time_step() const;
     void find_pressure_gradient();
     void correct(double dt);
@@ -95,6 +98,10 @@ class Simulation {
     std::vector<double> predicted_vx_, predicted_vy_;
     std::vector<double> force_x_, force_y_;
     std::vector<double> start_x_, start_y_;  ///< by id
+
+    bool released_ = false;
+    int balance_rounds_ = 0;
+    std::vector<double> release_ax_, release_ay_;  ///< acceleration at release as known so far, m/s2
 
     double time_ = 0;
     double highest_pressure_ = 0;

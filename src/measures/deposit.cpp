@@ -85,8 +85,8 @@ DepositProfile deposit_profile(const StateView& state, const std::vector<char>& 
     for (std::size_t i = 0; i < body.size(); ++i) {
         if (!body[i]) continue;
         add_to_bins(profile, first, state.x[i], dl * dl);
-        auto& bin =
-            profile.bins[static_cast<std::size_t>(std::floor(state.x[i] / profile.bin_width)) - first];
+        const long bin_number = static_cast<long>(std::floor(state.x[i] / profile.bin_width)) - first;
+        auto& bin = profile.bins[static_cast<std::size_t>(bin_number)];
         bin.by_top = std::max(bin.by_top, state.y[i] + 0.5 * dl - state.bed->elevation(state.x[i]));
     }
     return profile;

@@ -98,12 +98,14 @@ RunWork work_of(const Simulation& simulation) {
     return work;
 }
 
-/// Share of the run that lies behind: by the way from the start's energy to rest, or by time if that is
-/// longer.
+/// Share of the run that lies behind. Nobody knows when a mass will rest; most do within this time, and once
+/// one rests the end is known.
 double fraction_done(const Simulation& simulation) {
-    const double scale = 12.0 * simulation.time_scale();  // most masses rest by then
-    return std::min(0.99, std::max(simulation.time() / simulation.time_limit(),
-                                   1.0 - std::exp(-2.0 * simulation.time() / scale)));
+    const double usual_time = 6.0 * simulation.time_scale();
+    const double by_time = 1.0 - std::exp(-simulation.time() / usual_time);
+    const double by_limit = simulation.time() / simulation.time_limit();
+    const double moving = std::max(by_time, by_limit);
+    return std::min(1.0, moving + (1.0 - moving) * simulation.rested());
 }
 
 }  // namespace
