@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "engine/neighbours.h"
 #include "engine/operators.h"
@@ -148,23 +149,23 @@ TEST(NeighboursTest, FindsEveryPairThatBruteForceFinds) {
 TEST(Operators, CorrectedGradientIsExactForALinearField) {
     Filled f(15);
     // v = (2x - 3y, 5x + y) vanishes nowhere on the wall, so only rows away from it are looked at.
-    std::vector<double> vx(f.n.nodes, 0.0);
-    std::vector<double> vy(f.n.nodes, 0.0);
+    std::vector<float> vx(f.n.nodes, 0.0F);
+    std::vector<float> vy(f.n.nodes, 0.0F);
     for (int i = 0; i < f.soil.count; ++i) {
-        vx[i] = 2 * f.soil.x[i] - 3 * f.soil.y[i];
-        vy[i] = 5 * f.soil.x[i] + f.soil.y[i];
+        vx[i] = static_cast<float>(2 * f.soil.x[i] - 3 * f.soil.y[i]);
+        vy[i] = static_cast<float>(5 * f.soil.x[i] + f.soil.y[i]);
     }
     int checked = 0;
     for (const PairBlock& block : f.n.blocks) {
         for_each_velocity_gradient(block, f.n, vx.data(), vy.data(),
                                    [&](int i, const VelocityGradient& plain) {
                                        if (f.n.nearest_boundary[i] >= 0) return;
-                                       const VelocityGradient g = plain.corrected(&f.n.correction[4 * i]);
-                                       EXPECT_NEAR(g.xx, 2, 1e-5);
-                                       EXPECT_NEAR(g.xy, -3, 1e-5);
-                                       EXPECT_NEAR(g.yx, 5, 1e-5);
-                                       EXPECT_NEAR(g.yy, 1, 1e-5);
-                                       EXPECT_NEAR(g.spin(), 4, 1e-5);
+                                       const VelocityGradient g = plain.corrected(f.n, i);
+                                       EXPECT_NEAR(g.xx, 2, 3e-5);
+                                       EXPECT_NEAR(g.xy, -3, 3e-5);
+                                       EXPECT_NEAR(g.yx, 5, 3e-5);
+                                       EXPECT_NEAR(g.yy, 1, 3e-5);
+                                       EXPECT_NEAR(g.spin(), 4, 3e-5);
                                        ++checked;
                                    });
     }
@@ -211,31 +212,76 @@ TEST(Operators, EveryInstructionSetGivesTheSameBits) {
         vx[i] = std::sin(78.233 * i);
         vy[i] = std::cos(39.425 * i);
     }
+    const std::vector<float> sx(vx.begin(), vx.end());
+    const std::vector<float> sy(vy.begin(), vy.end());
+    const std::vector<float> strength(f.n.nodes, 0.3F);
     const auto all = [&](const PairKernels& kernels) {
         std::vector<double> results;
         std::vector<double> a(f.n.nodes, 0.0);
         std::vector<double> b(f.n.nodes, 0.0);
-        VelocityGradients g;
-        const auto keep = [&](const double* values, int count) {
-            results.insert(results.end(), values, values + count);
+        std::vector<float> u(f.n.nodes, 0.0F);
+        std::vector<float> w(f.n.nodes, 0.0F);
+        VelocityGradients g{};
+        const auto keep = [&](const auto& values) {
+            results.insert(results.end(), values.begin(), values.end());
         };
         for (const PairBlock& block : f.n.blocks) {
             const PairRows rows = pair_rows(block, f.n);
-            kernels.stress_divergence(rows, vx.data(), vy.data(), a.data(), b.data());
-            keep(a.data(), f.n.nodes);
-            keep(b.data(), f.n.nodes);
+            kernels.stress_divergence(rows, sx.data(), sy.data(), u.data(), w.data());
+            keep(u);
+            keep(w);
             kernels.pressure_gradient(rows, vx.data(), a.data(), b.data());
-            keep(a.data(), f.n.nodes);
+            keep(a);
+            keep(b);
             kernels.velocity_divergence(rows, vx.data(), vy.data(), a.data());
-            keep(a.data(), f.n.nodes);
+            keep(a);
             kernels.stiffness_product(rows, vx.data(), a.data());
-            keep(a.data(), f.n.nodes);
-            kernels.velocity_gradient(rows, vx.data(), vy.data(), g);
-            for (const double* part : {g.xx, g.xy, g.yx, g.yy}) keep(part, rows.slices * lanes);
+            keep(a);
+            kernels.velocity_gradient(rows, sx.data(), sy.data(), g);
+            for (const float* part : {g.xx, g.xy, g.yx, g.yy}) keep(std::span(part, rows.slices * lanes));
+            std::vector<float> sxx = sy;
+            std::vector<float> sxy = sx;
+            StressUpdate update;
+            update.vx = sx.data();
+            update.vy = sy.data();
+            for (int c = 0; c < 4; ++c) update.correction[c] = f.n.correction[c].data();
+            update.strength = strength.data();
+            update.step = 0.001F;
+            update.momentum = 0.4F;
+            update.sxx = sxx.data();
+            update.sxy = sxy.data();
+            update.ahead_sxx = u.data();
+            update.ahead_sxy = w.data();
+            kernels.update_stress(rows, update);
+            keep(sxx);
+            keep(sxy);
+            keep(u);
         }
         return results;
     };
     EXPECT_EQ(all(pair_kernels()), all(pair_kernels_baseline));
+}
+
+TEST(Operators, StressUpdateStaysInTheYieldCircle) {
+    Filled f(12);
+    std::vector<float> vx(f.n.nodes, 0.0F);
+    for (int i = 0; i < f.n.nodes; ++i) vx[i] = static_cast<float>(std::sin(78.233 * i));
+    const std::vector<float> strength(f.n.nodes, 0.3F);
+    std::vector<float> sxx(f.n.nodes, 0.0F);
+    std::vector<float> sxy(f.n.nodes, 0.0F);
+    std::vector<float> ahead_sxx(f.n.nodes, 1.0F);
+    std::vector<float> ahead_sxy(f.n.nodes, -1.0F);
+    StressUpdate update{vx.data(), vx.data(),  {},         strength.data(),  0.001F,
+                        0.0F,      sxx.data(), sxy.data(), ahead_sxx.data(), ahead_sxy.data()};
+    for (int c = 0; c < 4; ++c) update.correction[c] = f.n.correction[c].data();
+    for (const PairBlock& block : f.n.blocks) pair_kernels().update_stress(pair_rows(block, f.n), update);
+    int at_yield = 0;
+    for (int i = 0; i < f.soil.count; ++i) {
+        const float size = std::hypot(sxx[i], sxy[i]);
+        EXPECT_LE(size, 0.3F * (1 + 1e-6F));
+        at_yield += size > 0.299F ? 1 : 0;
+    }
+    EXPECT_GT(at_yield, 100);
 }
 
 TEST(Operators, InternalForcesAddUpToNothing) {
@@ -247,21 +293,21 @@ TEST(Operators, InternalForcesAddUpToNothing) {
     Neighbours n;
     search.sort(soil);
     search.find(soil, wall, n);
-    std::vector<double> sxx(n.nodes, 0.0);
-    std::vector<double> sxy(n.nodes, 0.0);
-    std::vector<double> fx(n.nodes, 0.0);
-    std::vector<double> fy(n.nodes, 0.0);
+    std::vector<float> sxx(n.nodes, 0.0F);
+    std::vector<float> sxy(n.nodes, 0.0F);
+    std::vector<float> fx(n.nodes, 0.0F);
+    std::vector<float> fy(n.nodes, 0.0F);
     for (int i = 0; i < soil.count; ++i) {
-        sxx[i] = std::sin(3.0 * i);
-        sxy[i] = std::cos(7.0 * i);
+        sxx[i] = std::sin(3.0F * static_cast<float>(i));
+        sxy[i] = std::cos(7.0F * static_cast<float>(i));
     }
-    double largest = 0.0;
+    float largest = 0.0F;
     for (const PairBlock& block : n.blocks) {
         pair_kernels().stress_divergence(pair_rows(block, n), sxx.data(), sxy.data(), fx.data(), fy.data());
     }
     for (int i = 0; i < soil.count; ++i) largest = std::max(largest, std::abs(fx[i]));
-    EXPECT_NEAR(std::accumulate(fx.begin(), fx.end(), 0.0), 0.0, 1e-5 * largest);
-    EXPECT_NEAR(std::accumulate(fy.begin(), fy.end(), 0.0), 0.0, 1e-5 * largest);
+    EXPECT_NEAR(std::accumulate(fx.begin(), fx.end(), 0.0), 0.0, 1e-4 * largest);
+    EXPECT_NEAR(std::accumulate(fy.begin(), fy.end(), 0.0), 0.0, 1e-4 * largest);
 }
 
 TEST(PressureEquation, WeightOfAFilledBoxIsHydrostatic) {

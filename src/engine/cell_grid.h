@@ -55,15 +55,17 @@ struct CellGrid {
         if (!start.empty()) start.back() = static_cast<int>(count);
     }
 
-    /// Calls f(first, last) for the up to three particle ranges that hold all neighbours of a point.
+    /// Calls f(first, last) for the up to 2 reach + 1 particle ranges that hold everything within `reach`
+    /// cells.
     template <class Function>
-    void around(double x, double y, const Function& f) const {
+    void around(double x, double y, int reach, const Function& f) const {
         const long cx = column(x) - column0;
         const long cy = row(y) - row0;
-        const long low = std::max(cy - 1, 0L);
-        const long high = std::min(cy + 1, static_cast<long>(rows) - 1);
+        const long low = std::max(cy - reach, 0L);
+        const long high = std::min(cy + reach, static_cast<long>(rows) - 1);
         if (low > high) return;
-        for (long c = std::max(cx - 1, 0L); c <= std::min(cx + 1, static_cast<long>(columns) - 1); ++c) {
+        for (long c = std::max(cx - reach, 0L); c <= std::min(cx + reach, static_cast<long>(columns) - 1);
+             ++c) {
             const std::size_t base = static_cast<std::size_t>(c) * static_cast<std::size_t>(rows);
             const int first = start[base + static_cast<std::size_t>(low)];
             const int last = start[base + static_cast<std::size_t>(high) + 1];

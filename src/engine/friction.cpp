@@ -7,19 +7,6 @@
 #include "engine/parallel.h"
 
 namespace runout {
-namespace {
-
-/// Back into the yield circle, eq. 8 as a bound. Pressure never pulls.
-void bound_stress(double pressure, double sin_phi, double& sxx, double& sxy) {
-    const double strength = std::max(pressure, 0.0) * sin_phi;
-    const double size = std::sqrt(sxx * sxx + sxy * sxy);
-    if (size <= strength) return;
-    const double scale = strength / size;
-    sxx *= scale;
-    sxy *= scale;
-}
-
-}  // namespace
 
 Friction::Friction(const Discretisation& discretisation, const Material& material, const RunSettings& run,
                    int threads)
@@ -31,23 +18,26 @@ Friction::Friction(const Discretisation& discretisation, const Material& materia
       threads_(threads) {}
 
 void Friction::load(const Neighbours& n, const Soil& soil, const Wall& wall) {
-    for (auto* field : {&pressure_, &sxx_, &sxy_, &old_sxx_, &old_sxy_, &ahead_sxx_, &ahead_sxy_, &base_vx_,
-                        &base_vy_, &vx_, &vy_, &force_x_, &force_y_}) {
-        field->assign(n.nodes, 0.0);
+    for (auto* field : {&pressure_, &pressure_x_, &pressure_y_}) field->assign(n.nodes, 0.0);
+    for (auto* field : {&strength_, &sxx_, &sxy_, &ahead_sxx_, &ahead_sxy_, &base_vx_, &base_vy_, &vx_, &vy_,
+                        &force_x_, &force_y_}) {
+        field->assign(n.nodes, 0.0F);
     }
     for (int i = 0; i < soil.count; ++i) {
         pressure_[i] = soil.pressure[i];
-        sxx_[i] = soil.sxx[i];
-        sxy_[i] = soil.sxy[i];
-        vx_[i] = soil.vx[i];
-        vy_[i] = soil.vy[i];
+        sxx_[i] = static_cast<float>(soil.sxx[i]);
+        sxy_[i] = static_cast<float>(soil.sxy[i]);
+        vx_[i] = static_cast<float>(soil.vx[i]);
+        vy_[i] = static_cast<float>(soil.vy[i]);
     }
     for (int a = 0; a < n.active_count(); ++a) {
         const int node = n.first_boundary + a;
         pressure_[node] = wall.pressure[n.active[a]];
-        sxx_[node] = wall.sxx[n.active[a]];
-        sxy_[node] = wall.sxy[n.active[a]];
+        sxx_[node] = static_cast<float>(wall.sxx[n.active[a]]);
+        sxy_[node] = static_cast<float>(wall.sxy[n.active[a]]);
     }
+    for (int i = 0; i < n.nodes; ++i)
+        strength_[i] = static_cast<float>(std::max(pressure_[i], 0.0) * sin_phi_);
 }
 
 void Friction::save(const Neighbours& n, Soil& soil, Wall& wall) const {
@@ -67,38 +57,38 @@ void Friction::save(const Neighbours& n, Soil& soil, Wall& wall) const {
 void Friction::apply_pressure(const Neighbours& n, const Soil& soil, double dt) {
     const double scale = dt / discretisation_.density;
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        pair_kernels().pressure_gradient(pair_rows(n.blocks[b], n), pressure_.data(), force_x_.data(),
-                                         force_y_.data());
+        pair_kernels().pressure_gradient(pair_rows(n.blocks[b], n), pressure_.data(), pressure_x_.data(),
+                                         pressure_y_.data());
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
         for (int i = n.blocks[b].first_row; i < last; ++i) {
-            base_vx_[i] = soil.vx[i] - scale * force_x_[i];
-            base_vy_[i] = soil.vy[i] - scale * force_y_[i] - dt * gravity_;
+            base_vx_[i] = static_cast<float>(soil.vx[i] - scale * pressure_x_[i]);
+            base_vy_[i] = static_cast<float>(soil.vy[i] - scale * pressure_y_[i] - dt * gravity_);
         }
     });
 }
 
-/// The stress turns with the soil (Jaumann); |s| is kept exactly.
+/// The stress turns with the soil (Jaumann); |s| is kept.
 void Friction::rotate(const Neighbours& n, double dt) {
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        for_each_velocity_gradient(
-            n.blocks[b], n, vx_.data(), vy_.data(), [&](int i, const VelocityGradient& plain) {
-                const double angle = 2.0 * dt * plain.corrected(&n.correction[4 * i]).spin();
-                const double c = std::cos(angle);
-                const double s = std::sin(angle);
-                const double sxx = sxx_[i];
-                sxx_[i] = c * sxx - s * sxy_[i];
-                sxy_[i] = s * sxx + c * sxy_[i];
-            });
+        for_each_velocity_gradient(n.blocks[b], n, vx_.data(), vy_.data(),
+                                   [&](int i, const VelocityGradient& plain) {
+                                       const double angle = 2.0 * dt * plain.corrected(n, i).spin();
+                                       const double c = std::cos(angle);
+                                       const double s = std::sin(angle);
+                                       const double sxx = sxx_[i];
+                                       const double sxy = sxy_[i];
+                                       sxx_[i] = static_cast<float>(c * sxx - s * sxy);
+                                       sxy_[i] = static_cast<float>(s * sxx + c * sxy);
+                                   });
     });
 }
 
-/// On return v~ = base velocity - dt div(s) / rho.
-void Friction::trial_velocity(const Neighbours& n, const std::vector<double>& sxx,
-                              const std::vector<double>& sxy, double dt) {
-    const double scale = dt / discretisation_.density;
+/// On return v~ = base velocity - dt div(ahead s) / rho.
+void Friction::trial_velocity(const Neighbours& n, double dt) {
+    const auto scale = static_cast<float>(dt / discretisation_.density);
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        pair_kernels().stress_divergence(pair_rows(n.blocks[b], n), sxx.data(), sxy.data(), force_x_.data(),
-                                         force_y_.data());
+        pair_kernels().stress_divergence(pair_rows(n.blocks[b], n), ahead_sxx_.data(), ahead_sxy_.data(),
+                                         force_x_.data(), force_y_.data());
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
         for (int i = n.blocks[b].first_row; i < last; ++i) {
             vx_[i] = base_vx_[i] - scale * force_x_[i];
@@ -111,15 +101,43 @@ void Friction::trial_velocity(const Neighbours& n, const std::vector<double>& sx
 /// iteration stable for the lattice's stiffest mode.
 void Friction::project(const Neighbours& n, double dt, double momentum) {
     const double step = 0.5 * discretisation_.density * discretisation_.volume() / dt;
+    StressUpdate update;
+    update.vx = vx_.data();
+    update.vy = vy_.data();
+    for (int c = 0; c < 4; ++c) update.correction[c] = n.correction[c].data();
+    update.strength = strength_.data();
+    update.step = static_cast<float>(step);
+    update.momentum = static_cast<float>(momentum);
+    update.sxx = sxx_.data();
+    update.sxy = sxy_.data();
+    update.ahead_sxx = ahead_sxx_.data();
+    update.ahead_sxy = ahead_sxy_.data();
+    for_each_block(static_cast<int>(n.blocks.size()), threads_,
+                   [&](int b) { pair_kernels().update_stress(pair_rows(n.blocks[b], n), update); });
+    for (int a = 0; a < n.active_count(); ++a) {
+        const int i = n.first_boundary + a;
+        const VelocityGradient g = boundary_velocity_gradient(n, a, vx_.data(), vy_.data()).corrected(n, i);
+        const double trial_xx = ahead_sxx_[i] + step * g.exx();
+        const double trial_xy = ahead_sxy_[i] + step * g.exy();
+        const double size = std::sqrt(trial_xx * trial_xx + trial_xy * trial_xy);
+        const double scale = size > strength_[i] ? strength_[i] / size : 1.0;
+        const auto sxx = static_cast<float>(scale * trial_xx);
+        const auto sxy = static_cast<float>(scale * trial_xy);
+        ahead_sxx_[i] = sxx + update.momentum * (sxx - sxx_[i]);
+        ahead_sxy_[i] = sxy + update.momentum * (sxy - sxy_[i]);
+        sxx_[i] = sxx;
+        sxy_[i] = sxy;
+    }
+}
+
+/// Eq. 8 from the velocity at hand.
+void Friction::yield_from_strain_rate(const Neighbours& n) {
     const auto update = [&](int i, const VelocityGradient& plain) {
-        const VelocityGradient g = plain.corrected(&n.correction[4 * i]);
-        const double old_xx = sxx_[i];
-        const double old_xy = sxy_[i];
-        sxx_[i] = ahead_sxx_[i] + step * g.exx();
-        sxy_[i] = ahead_sxy_[i] + step * g.exy();
-        bound_stress(pressure_[i], sin_phi_, sxx_[i], sxy_[i]);
-        ahead_sxx_[i] = sxx_[i] + momentum * (sxx_[i] - old_xx);
-        ahead_sxy_[i] = sxy_[i] + momentum * (sxy_[i] - old_xy);
+        const VelocityGradient g = plain.corrected(n, i);
+        const double rate = std::hypot(g.exx(), g.exy());
+        const double scale = rate > 0.0 ? strength_[i] / rate : 0.0;
+        sxx_[i] = static_cast<float>(scale * g.exx());
+        sxy_[i] = static_cast<float>(scale * g.exy());
     };
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
         for_each_velocity_gradient(n.blocks[b], n, vx_.data(), vy_.data(), update);
@@ -129,21 +147,21 @@ void Friction::project(const Neighbours& n, double dt, double momentum) {
     }
 }
 
-/// Eq. 8 from the velocity at hand.
-void Friction::yield_from_strain_rate(const Neighbours& n) {
-    const auto update = [&](int i, const VelocityGradient& plain) {
-        const VelocityGradient g = plain.corrected(&n.correction[4 * i]);
-        const double rate = std::hypot(g.exx(), g.exy());
-        const double scale = rate > 0.0 ? std::max(pressure_[i], 0.0) * sin_phi_ / rate : 0.0;
-        sxx_[i] = scale * g.exx();
-        sxy_[i] = scale * g.exy();
-    };
+/// On return v* = v^n + dt (g - div s / rho), eq. 3.
+void Friction::final_velocity(const Neighbours& n, const Soil& soil, double dt, std::vector<double>& vx,
+                              std::vector<double>& vy) {
+    const double scale = dt / discretisation_.density;
+    vx.assign(n.nodes, 0.0);
+    vy.assign(n.nodes, 0.0);
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        for_each_velocity_gradient(n.blocks[b], n, vx_.data(), vy_.data(), update);
+        pair_kernels().stress_divergence(pair_rows(n.blocks[b], n), sxx_.data(), sxy_.data(), force_x_.data(),
+                                         force_y_.data());
+        const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
+        for (int i = n.blocks[b].first_row; i < last; ++i) {
+            vx[i] = soil.vx[i] - scale * force_x_[i];
+            vy[i] = soil.vy[i] - scale * force_y_[i] - dt * gravity_;
+        }
     });
-    for (int a = 0; a < n.active_count(); ++a) {
-        update(n.first_boundary + a, boundary_velocity_gradient(n, a, vx_.data(), vy_.data()));
-    }
 }
 
 void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, double dt, std::vector<double>& vx,
@@ -159,18 +177,12 @@ void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, double dt, s
         double t = 1.0;  // Nesterov's sequence
         for (int k = 0; k < (iterations > 0 ? iterations : iterations_); ++k) {
             const double next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * t * t));
-            trial_velocity(n, ahead_sxx_, ahead_sxy_, dt);
+            trial_velocity(n, dt);
             project(n, dt, (t - 1.0) / next);
             t = next;
         }
     }
-    for (int i = 0; i < soil.count; ++i) {
-        base_vx_[i] = soil.vx[i];
-        base_vy_[i] = soil.vy[i] - dt * gravity_;
-    }
-    trial_velocity(n, sxx_, sxy_, dt);
-    vx = vx_;
-    vy = vy_;
+    final_velocity(n, soil, dt, vx, vy);
     save(n, soil, wall);
 }
 

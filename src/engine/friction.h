@@ -31,10 +31,11 @@ class Friction {
     void save(const Neighbours& n, Soil& soil, Wall& wall) const;
     void apply_pressure(const Neighbours& n, const Soil& soil, double dt);
     void rotate(const Neighbours& n, double dt);
-    void trial_velocity(const Neighbours& n, const std::vector<double>& sxx, const std::vector<double>& sxy,
-                        double dt);
+    void trial_velocity(const Neighbours& n, double dt);
     void project(const Neighbours& n, double dt, double momentum);
     void yield_from_strain_rate(const Neighbours& n);
+    void final_velocity(const Neighbours& n, const Soil& soil, double dt, std::vector<double>& vx,
+                        std::vector<double>& vy);
 
     Discretisation discretisation_;
     double sin_phi_;
@@ -43,14 +44,14 @@ class Friction {
     int iterations_;
     int threads_;
 
-    // Node arrays, see Neighbours.
-    std::vector<double> pressure_;
-    std::vector<double> sxx_, sxy_;              ///< stress of this iterate
-    std::vector<double> old_sxx_, old_sxy_;      ///< of the one before
-    std::vector<double> ahead_sxx_, ahead_sxy_;  ///< extrapolated
-    std::vector<double> base_vx_, base_vy_;      ///< velocity under gravity and pressure
-    std::vector<double> vx_, vy_;                ///< trial velocity v~
-    std::vector<double> force_x_, force_y_;
+    // Node arrays, see Neighbours. What is iterated on is in single precision, see PairKernels.
+    std::vector<double> pressure_, pressure_x_, pressure_y_;  ///< p and its gradient
+    std::vector<float> strength_;                             ///< p sin(phi), Pa
+    std::vector<float> sxx_, sxy_;                            ///< stress of this iterate
+    std::vector<float> ahead_sxx_, ahead_sxy_;                ///< extrapolated
+    std::vector<float> base_vx_, base_vy_;                    ///< velocity under gravity and pressure
+    std::vector<float> vx_, vy_;                              ///< trial velocity v~
+    std::vector<float> force_x_, force_y_;                    ///< div s
 };
 
 }  // namespace runout

@@ -10,18 +10,14 @@ namespace runout {
 namespace {
 
 /// Inverse of the moment matrix; the identity for a particle too lonely to have a gradient.
-void invert_moment(const double* m, double* inverse) {
+void invert_moment(const double* m, Neighbours& n, int node) {
     const double det = m[0] * m[3] - m[1] * m[2];
     const double size2 = m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + m[3] * m[3];
-    if (det < 0.1 * size2 || det < 0.05) {
-        inverse[0] = inverse[3] = 1.0;
-        inverse[1] = inverse[2] = 0.0;
-        return;
-    }
-    inverse[0] = m[3] / det;
-    inverse[1] = -m[1] / det;
-    inverse[2] = -m[2] / det;
-    inverse[3] = m[0] / det;
+    const bool lonely = det < 0.1 * size2 || det < 0.05;
+    n.correction[0][node] = lonely ? 1.0F : static_cast<float>(m[3] / det);
+    n.correction[1][node] = lonely ? 0.0F : static_cast<float>(-m[1] / det);
+    n.correction[2][node] = lonely ? 0.0F : static_cast<float>(-m[2] / det);
+    n.correction[3][node] = lonely ? 1.0F : static_cast<float>(m[0] / det);
 }
 
 void write_row(PairBlock& block, const PairRow& row, int row_number, std::size_t first) {
@@ -67,7 +63,7 @@ void permute(std::vector<T>& values, const std::vector<int>& order, std::vector<
 
 NeighbourSearch::NeighbourSearch(const Discretisation& discretisation, int threads)
     : discretisation_(discretisation), kernel_(discretisation.smoothing_length), threads_(threads) {
-    grid_.size = kernel_.support();
+    grid_.size = kernel_.support() / cells_per_support;
 }
 
 void NeighbourSearch::sort(Soil& soil) {
@@ -87,7 +83,7 @@ void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
     n.surface_y.assign(soil.padded(), 0.0);
     n.nearest_boundary.assign(soil.padded(), -1);
     n.density.assign(soil.padded(), 1.0);
-    n.correction.assign(4 * soil.padded(), 0.0);
+    for (auto& component : n.correction) component.assign(soil.padded(), 0.0F);
     const int blocks = (soil.padded() + rows_per_block - 1) / rows_per_block;
     n.blocks.resize(blocks);
     for_each_block(blocks, threads_, [&](int b) { find_block(soil, wall, n, b); });
@@ -116,7 +112,7 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
             n.surface_x[i] = row.surface_x;
             n.surface_y[i] = row.surface_y;
             n.nearest_boundary[i] = row.nearest_boundary;
-            invert_moment(row.moment, &n.correction[4 * i]);
+            invert_moment(row.moment, n, i);
         }
         write_slice(block, slice, rows);
     }
@@ -146,7 +142,7 @@ void NeighbourSearch::fill_boundary_rows(const Wall& wall, const Soil& soil, Nei
     n.boundary_start.assign(count + 1, 0);
     n.boundary_soil.assign(count, 0);
     n.density.resize(n.nodes);
-    n.correction.resize(4 * n.nodes);
+    for (auto& component : n.correction) component.resize(n.nodes);
     std::vector<double>& moment = scratch_;
     moment.assign(4 * count, 0.0);
     for (int a = 0; a < count; ++a) {
@@ -179,7 +175,7 @@ void NeighbourSearch::fill_boundary_rows(const Wall& wall, const Soil& soil, Nei
     }
     for (int a = 0; a < count; ++a) {
         n.density[n.first_boundary + a] /= discretisation_.lattice_sum;
-        invert_moment(&moment[4 * a], &n.correction[4 * (n.first_boundary + a)]);
+        invert_moment(&moment[4 * a], n, n.first_boundary + a);
     }
 }
 

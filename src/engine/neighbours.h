@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -60,8 +61,9 @@ struct Neighbours {
     std::vector<BoundaryPair> boundary_pairs;
     std::vector<int> boundary_soil;  ///< soil particles within the boundary particle's own support
 
-    std::vector<double> density;        ///< rho / rho_0 per node, 1 on the full lattice
-    std::vector<double> correction;     ///< 4 per node: inverse moment matrix B^-1 of eq. 9, row-major
+    std::vector<double> density;  ///< rho / rho_0 per node, 1 on the full lattice
+    /// Inverse moment matrix B^-1 of eq. 9 per node, row-major components.
+    std::array<std::vector<float>, 4> correction;
     std::vector<double> stiffness_sum;  ///< sum of k over all neighbours, per soil particle
     std::vector<double> surface_x,
         surface_y;                      ///< sum of V gradW, points into the soil at a free surface, 1/m

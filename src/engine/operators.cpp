@@ -10,14 +10,14 @@ PairRows pair_rows(const PairBlock& block, const Neighbours& n) {
             block.gx.data(), block.gy.data(), block.stiffness.data()};
 }
 
-VelocityGradient boundary_velocity_gradient(const Neighbours& n, int a, const double* vx, const double* vy) {
+VelocityGradient boundary_velocity_gradient(const Neighbours& n, int a, const float* vx, const float* vy) {
     VelocityGradient g;
     for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) {
         const BoundaryPair& pair = n.boundary_pairs[k];
-        g.xx += vx[pair.soil] * pair.own_gx;
-        g.xy += vx[pair.soil] * pair.own_gy;
-        g.yx += vy[pair.soil] * pair.own_gx;
-        g.yy += vy[pair.soil] * pair.own_gy;
+        g.xx += static_cast<double>(vx[pair.soil]) * pair.own_gx;
+        g.xy += static_cast<double>(vx[pair.soil]) * pair.own_gy;
+        g.yx += static_cast<double>(vy[pair.soil]) * pair.own_gx;
+        g.yy += static_cast<double>(vy[pair.soil]) * pair.own_gy;
     }
     return g;
 }

@@ -9,10 +9,13 @@ namespace runout {
 struct VelocityGradient {
     double xx = 0, xy = 0, yx = 0, yy = 0;
 
-    /// With the renormalised kernel gradient of eq. 9; `inverse_moment` as in Neighbours::correction.
-    [[nodiscard]] VelocityGradient corrected(const double* inverse_moment) const {
-        const double* b = inverse_moment;
-        return {xx * b[0] + xy * b[2], xx * b[1] + xy * b[3], yx * b[0] + yy * b[2], yx * b[1] + yy * b[3]};
+    /// With the renormalised kernel gradient of eq. 9 at `node`.
+    [[nodiscard]] VelocityGradient corrected(const Neighbours& n, int node) const {
+        const double b0 = n.correction[0][node];
+        const double b1 = n.correction[1][node];
+        const double b2 = n.correction[2][node];
+        const double b3 = n.correction[3][node];
+        return {xx * b0 + xy * b2, xx * b1 + xy * b3, yx * b0 + yy * b2, yx * b1 + yy * b3};
     }
     /// Components of the deviatoric strain rate, compression positive (eyy = -exx).
     [[nodiscard]] double exx() const { return -0.5 * (xx - yy); }
@@ -26,8 +29,8 @@ PairRows pair_rows(const PairBlock& block, const Neighbours& n);
 
 /// Calls f(i, gradient) with the plain velocity gradient of every soil row i of the block.
 template <class Function>
-void for_each_velocity_gradient(const PairBlock& block, const Neighbours& n, const double* vx,
-                                const double* vy, const Function& f) {
+void for_each_velocity_gradient(const PairBlock& block, const Neighbours& n, const float* vx, const float* vy,
+                                const Function& f) {
     VelocityGradients g;
     pair_kernels().velocity_gradient(pair_rows(block, n), vx, vy, g);
     for (int k = 0; k < rows_per_block && block.first_row + k < n.soil_count; ++k) {
@@ -36,6 +39,6 @@ void for_each_velocity_gradient(const PairBlock& block, const Neighbours& n, con
 }
 
 /// Velocity gradient at active boundary particle `a` from its own pairs.
-VelocityGradient boundary_velocity_gradient(const Neighbours& n, int a, const double* vx, const double* vy);
+VelocityGradient boundary_velocity_gradient(const Neighbours& n, int a, const float* vx, const float* vy);
 
 }  // namespace runout

@@ -24,7 +24,21 @@ struct PairRows {
 
 /// Plain (uncorrected) velocity gradients of the rows of one block, dv_row / dx_column, 1/s.
 struct VelocityGradients {
-    double xx[rows_per_block], xy[rows_per_block], yx[rows_per_block], yy[rows_per_block];
+    float xx[rows_per_block], xy[rows_per_block], yx[rows_per_block], yy[rows_per_block];
+};
+
+/// One projected iteration of the friction, node arrays; see Friction.
+struct StressUpdate {
+    const float* vx = nullptr;  ///< trial velocity, m/s
+    const float* vy = nullptr;
+    const float* correction[4] = {};  ///< inverse moment matrix of eq. 9, row-major
+    const float* strength = nullptr;  ///< p sin(phi), Pa
+    float step = 0;                   ///< 2 r, Pa s
+    float momentum = 0;
+    float* sxx = nullptr;  ///< Pa
+    float* sxy = nullptr;
+    float* ahead_sxx = nullptr;  ///< extrapolated by `momentum`
+    float* ahead_sxy = nullptr;
 };
 
 /// A list of pairs as plain arrays: separations in, geometry out.
@@ -56,15 +70,18 @@ struct PairKernels {
 
     /// force = sum_j (s_i + s_j) . V gradW, Pa/m: divergence of the deviatoric stress, eq. 3. Plain, not
     /// renormalised gradients: the renormalised form drags thin layers (false friction).
-    void (*stress_divergence)(const PairRows& rows, const double* sxx, const double* sxy, double* force_x,
-                              double* force_y);
+    void (*stress_divergence)(const PairRows& rows, const float* sxx, const float* sxy, float* force_x,
+                              float* force_y);
     /// force = sum_j (p_i + p_j) V gradW, Pa/m: pressure gradient, eq. 4.
     void (*pressure_gradient)(const PairRows& rows, const double* pressure, double* force_x, double* force_y);
     /// div = sum_j V (v_j - v_i) . gradW, 1/s; the negative adjoint of `pressure_gradient`.
     void (*velocity_divergence)(const PairRows& rows, const double* vx, const double* vy, double* divergence);
     /// gradient = sum_j V (v_j - v_i) (x) gradW.
-    void (*velocity_gradient)(const PairRows& rows, const double* vx, const double* vy,
+    void (*velocity_gradient)(const PairRows& rows, const float* vx, const float* vy,
                               VelocityGradients& gradients);
+    /// s <- bound(ahead + 2 r e(v)), |s| <= strength; then ahead <- s + momentum (s - old s). For the block's
+    /// rows.
+    void (*update_stress)(const PairRows& rows, const StressUpdate& update);
     /// out = sum_j k_ij x_j.
     void (*stiffness_product)(const PairRows& rows, const double* x, double* out);
     /// Kernel, gradient and k of each pair of a list.

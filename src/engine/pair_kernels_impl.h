@@ -9,19 +9,19 @@
 namespace runout::kernels {
 namespace {
 
-void stress_divergence(const PairRows& p, const double* sxx, const double* sxy, double* force_x,
-                       double* force_y) {
+void stress_divergence(const PairRows& p, const float* sxx, const float* sxy, float* force_x,
+                       float* force_y) {
     for (int s = 0; s < p.slices; ++s) {
         const int row = p.first_row + s * lanes;
-        double fx[lanes] = {};
-        double fy[lanes] = {};
+        float fx[lanes] = {};
+        float fy[lanes] = {};
         for (int e = p.offset[s]; e < p.offset[s + 1]; e += lanes) {
             for (int l = 0; l < lanes; ++l) {
                 const int j = p.column[e + l];
-                const double a = sxx[row + l] + sxx[j];
-                const double b = sxy[row + l] + sxy[j];
-                const double gx = p.gx[e + l];
-                const double gy = p.gy[e + l];
+                const float a = sxx[row + l] + sxx[j];
+                const float b = sxy[row + l] + sxy[j];
+                const float gx = p.gx[e + l];
+                const float gy = p.gy[e + l];
                 fx[l] += a * gx + b * gy;
                 fy[l] += b * gx - a * gy;
             }
@@ -62,20 +62,20 @@ void velocity_divergence(const PairRows& p, const double* vx, const double* vy, 
     }
 }
 
-void velocity_gradient(const PairRows& p, const double* vx, const double* vy, VelocityGradients& gradients) {
+void velocity_gradient(const PairRows& p, const float* vx, const float* vy, VelocityGradients& gradients) {
     for (int s = 0; s < p.slices; ++s) {
         const int row = p.first_row + s * lanes;
-        double xx[lanes] = {};
-        double xy[lanes] = {};
-        double yx[lanes] = {};
-        double yy[lanes] = {};
+        float xx[lanes] = {};
+        float xy[lanes] = {};
+        float yx[lanes] = {};
+        float yy[lanes] = {};
         for (int e = p.offset[s]; e < p.offset[s + 1]; e += lanes) {
             for (int l = 0; l < lanes; ++l) {
                 const int j = p.column[e + l];
-                const double dvx = vx[j] - vx[row + l];
-                const double dvy = vy[j] - vy[row + l];
-                const double gx = p.gx[e + l];
-                const double gy = p.gy[e + l];
+                const float dvx = vx[j] - vx[row + l];
+                const float dvy = vy[j] - vy[row + l];
+                const float gx = p.gx[e + l];
+                const float gy = p.gy[e + l];
                 xx[l] += dvx * gx;
                 xy[l] += dvx * gy;
                 yx[l] += dvy * gx;
@@ -88,6 +88,39 @@ void velocity_gradient(const PairRows& p, const double* vx, const double* vy, Ve
             gradients.yx[s * lanes + l] = yx[l];
             gradients.yy[s * lanes + l] = yy[l];
         }
+    }
+}
+
+void update_stress(const PairRows& p, const StressUpdate& update) {
+    VelocityGradients g;
+    velocity_gradient(p, update.vx, update.vy, g);
+    const float* __restrict__ b0 = update.correction[0] + p.first_row;
+    const float* __restrict__ b1 = update.correction[1] + p.first_row;
+    const float* __restrict__ b2 = update.correction[2] + p.first_row;
+    const float* __restrict__ b3 = update.correction[3] + p.first_row;
+    const float* __restrict__ strength = update.strength + p.first_row;
+    float* __restrict__ sxx = update.sxx + p.first_row;
+    float* __restrict__ sxy = update.sxy + p.first_row;
+    float* __restrict__ ahead_sxx = update.ahead_sxx + p.first_row;
+    float* __restrict__ ahead_sxy = update.ahead_sxy + p.first_row;
+    const float half_step = 0.5F * update.step;
+    const float momentum = update.momentum;
+    for (int k = 0; k < p.slices * lanes; ++k) {
+        const float xx = g.xx[k] * b0[k] + g.xy[k] * b2[k];
+        const float xy = g.xx[k] * b1[k] + g.xy[k] * b3[k];
+        const float yx = g.yx[k] * b0[k] + g.yy[k] * b2[k];
+        const float yy = g.yx[k] * b1[k] + g.yy[k] * b3[k];
+        const float trial_xx = ahead_sxx[k] - half_step * (xx - yy);
+        const float trial_xy = ahead_sxy[k] - half_step * (xy + yx);
+        const float size2 = trial_xx * trial_xx + trial_xy * trial_xy;
+        const float ratio = strength[k] / __builtin_sqrtf(size2 + 1e-30F);
+        const float scale = ratio < 1.0F ? ratio : 1.0F;
+        const float new_xx = scale * trial_xx;
+        const float new_xy = scale * trial_xy;
+        ahead_sxx[k] = new_xx + momentum * (new_xx - sxx[k]);
+        ahead_sxy[k] = new_xy + momentum * (new_xy - sxy[k]);
+        sxx[k] = new_xx;
+        sxy[k] = new_xy;
     }
 }
 
@@ -124,7 +157,7 @@ void pair_geometry(const PairGeometry& p, const GeometryConstants& constants) {
 
 constexpr PairKernels table(const char* instruction_set) {
     return {instruction_set,   stress_divergence, pressure_gradient, velocity_divergence,
-            velocity_gradient, stiffness_product, pair_geometry};
+            velocity_gradient, update_stress,     stiffness_product, pair_geometry};
 }
 
 }  // namespace

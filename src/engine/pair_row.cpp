@@ -91,13 +91,13 @@ void find_pair_row(const CellGrid& grid, const Discretisation& discretisation, c
     const double x = soil.x[i];
     const double y = soil.y[i];
     const double support2 = kernel.support() * kernel.support();
-    grid.around(x, y, [&](int first, int last) {
+    grid.around(x, y, cells_per_support, [&](int first, int last) {
         const auto self = [](int k) { return k; };
         const bool holds_i = first <= i && i < last;
         collect(row.soil, soil.x, soil.y, x, y, support2, first, holds_i ? i : last, self);
         if (holds_i) collect(row.soil, soil.x, soil.y, x, y, support2, i + 1, last, self);
     });
-    wall.grid.around(x, y, [&](int first, int last) {
+    wall.grid.around(x, y, 1, [&](int first, int last) {
         collect(row.wall, wall.x, wall.y, x, y, support2, first, last, [&](int k) { return wall.order[k]; });
     });
     row.kernel_sum = kernel.value(0.0);

@@ -10,6 +10,9 @@
 
 namespace runout {
 
+/// Soil cells along one kernel support: smaller cells leave fewer candidates that are too far.
+constexpr int cells_per_support = 2;
+
 /// Particles within the support of one, in the order they were met, and the geometry of each pair.
 struct PairList {
     int count = 0;
@@ -42,8 +45,9 @@ struct PairRow {
     [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(soil.count) + merged.size(); }
 };
 
-/// Finds the row of soil particle i: who is within the support, in the order of the cells, and the sums over
-/// them. On return wall pairs are merged into their boundary particles. `row` has been cleared.
+/// Finds the row of soil particle i in a grid of support / cells_per_support: who is within the support, in
+/// the order of the cells, and the sums over them. On return wall pairs are merged into their boundary
+/// particles. `row` has been cleared.
 void find_pair_row(const CellGrid& grid, const Discretisation& discretisation, const Soil& soil,
                    const Wall& wall, int i, PairRow& row);
 

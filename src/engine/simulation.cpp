@@ -196,7 +196,7 @@ void Simulation::move(double dt) {
     for (int i = 0; i < soil_.count; ++i) {
         double dx = dt * soil_.vx[i];
         double dy = dt * soil_.vy[i];
-        const double size = std::hypot(dx, dy);
+        const double size = std::sqrt(dx * dx + dy * dy);
         if (size > discretisation_.spacing) {
             dx *= discretisation_.spacing / size;
             dy *= discretisation_.spacing / size;

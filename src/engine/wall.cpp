@@ -94,7 +94,7 @@ int nearest_boundary(const Wall& wall, const CellGrid& grid, const std::vector<i
                      double y) {
     int best = 0;
     double best2 = std::numeric_limits<double>::infinity();
-    grid.around(x, y, [&](int first, int last) {
+    grid.around(x, y, 1, [&](int first, int last) {
         for (int k = first; k < last; ++k) {
             const int b = order[static_cast<std::size_t>(k)];
             const double d2 = std::pow(wall.x[b] - x, 2) + std::pow(wall.y[b] - y, 2);
@@ -126,7 +126,7 @@ void sum_wall_neighbours(Wall& wall, const Discretisation& d) {
     wall.moment.assign(4 * static_cast<std::size_t>(wall.boundary_count), 0.0);
     wall.neighbour_start.assign(1, 0);
     for (int b = 0; b < wall.boundary_count; ++b) {
-        wall.grid.around(wall.x[b], wall.y[b], [&](int first, int last) {
+        wall.grid.around(wall.x[b], wall.y[b], 1, [&](int first, int last) {
             for (int k = first; k < last; ++k) {
                 const int q = wall.order[static_cast<std::size_t>(k)];
                 const double dx = wall.x[b] - wall.x[q];

@@ -45,7 +45,7 @@ std::vector<char> connected_body(const StateView& state) {
     std::vector<int> parent(count);
     std::iota(parent.begin(), parent.end(), 0);
     for (int i = 0; i < count; ++i) {
-        grid.around(x[i], y[i], [&](int first, int last) {
+        grid.around(x[i], y[i], 1, [&](int first, int last) {
             for (int k = first; k < last; ++k) {
                 const int j = order[k];
                 if (j <= i || std::hypot(x[i] - x[j], y[i] - y[j]) > link) continue;
