@@ -172,19 +172,15 @@ void CoarseLevel::build(const Neighbours& n, const Soil& soil, const Wall& wall,
     if (f.size > 0) f.factorise();
 }
 
-void CoarseLevel::correct(const std::vector<int>& aggregate, double scale, const std::vector<double>& r,
-                          std::vector<double>& z) {
+const double* CoarseLevel::solve(const std::vector<int>& aggregate, const std::vector<double>& r) {
     Factor& f = *factor_;
-    if (f.size == 0) return;
+    if (f.size == 0) return nullptr;
     std::fill(f.right_hand_side.begin(), f.right_hand_side.end(), 0.0);
     for (std::size_t i = 0; i < aggregate.size(); ++i) {
         if (aggregate[i] >= 0) f.right_hand_side[aggregate[i]] += r[i];
     }
     f.solve();
-    const auto* x = static_cast<const double*>(f.solution->x);
-    for (std::size_t i = 0; i < aggregate.size(); ++i) {
-        if (aggregate[i] >= 0) z[i] += scale * x[aggregate[i]];
-    }
+    return static_cast<const double*>(f.solution->x);
 }
 
 }  // namespace runout

@@ -24,9 +24,8 @@ class CoarseLevel {
     void build(const Neighbours& n, const Soil& soil, const Wall& wall, const std::vector<double>& diagonal,
                const std::vector<char>& free, double cell, std::vector<int>& aggregate);
 
-    /// z += scale P A_c^-1 P^T r, over nodes with an aggregate.
-    void correct(const std::vector<int>& aggregate, double scale, const std::vector<double>& r,
-                 std::vector<double>& z);
+    /// A_c^-1 P^T r over nodes with an aggregate: one value per cell, valid until the next call.
+    const double* solve(const std::vector<int>& aggregate, const std::vector<double>& r);
 
     [[nodiscard]] int size() const;
 

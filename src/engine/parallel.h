@@ -8,7 +8,7 @@ namespace runout {
 /// not depend on the number of threads.
 template <class Function>
 void for_each_block(int count, int threads, const Function& f) {
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (threads > 1)
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
     for (int i = 0; i < count; ++i) f(i);
 }
 

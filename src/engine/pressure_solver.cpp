@@ -13,7 +13,8 @@ constexpr int max_iterations = 1000;
 constexpr double coarse_cell_spacings = 4.0;
 constexpr double coarse_scale = 1.5;  // makes up for the piecewise constant coarse space
 constexpr int steps_per_coarse_build = 15;
-constexpr int dot_chunk = 1024;
+constexpr int node_chunk = 512;
+constexpr int boundary_chunk = 64;
 
 }  // namespace
 
@@ -132,71 +133,80 @@ void PressureSolver::multiply(const Neighbours& n, const Wall& wall, const std::
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
         for (int i = n.blocks[b].first_row; i < last; ++i) out[i] = diagonal_[i] * x[i] - out[i];
     });
-    for (int a = 0; a < n.active_count(); ++a) {
-        const int node = n.first_boundary + a;
-        if (!free_[node]) {
-            out[node] = 0.0;
-            continue;
-        }
-        const int b = n.active[a];
-        double sum = diagonal_[node] * x[node];
-        for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) {
-            sum -= n.boundary_pairs[k].stiffness * x[n.boundary_pairs[k].soil];
-        }
-        for (int k = wall.neighbour_start[b]; k < wall.neighbour_start[b + 1]; ++k) {
-            const int other = boundary_node_[wall.neighbour[k]];
-            if (other >= 0) sum -= wall.neighbour_stiffness[k] * x[other];
-        }
-        out[node] = sum;
-    }
+    const int chunks = (n.active_count() + boundary_chunk - 1) / boundary_chunk;
+    for_each_block(chunks, threads_, [&](int c) {
+        const int last = std::min(n.active_count(), (c + 1) * boundary_chunk);
+        for (int a = c * boundary_chunk; a < last; ++a) multiply_boundary_row(n, wall, a, x, out);
+    });
 }
 
-double PressureSolver::dot(const std::vector<double>& a, const std::vector<double>& b) {
-    const int size = static_cast<int>(a.size());
-    const int chunks = (size + dot_chunk - 1) / dot_chunk;
-    return sum_blocks(chunks, threads_, partial_, [&](int c) {
+void PressureSolver::multiply_boundary_row(const Neighbours& n, const Wall& wall, int a,
+                                           const std::vector<double>& x, std::vector<double>& out) const {
+    const int node = n.first_boundary + a;
+    const int b = n.active[a];
+    double sum = diagonal_[node] * x[node];
+    for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) {
+        sum -= n.boundary_pairs[k].stiffness * x[n.boundary_pairs[k].soil];
+    }
+    for (int k = wall.neighbour_start[b]; k < wall.neighbour_start[b + 1]; ++k) {
+        const int other = boundary_node_[wall.neighbour[k]];
+        if (other >= 0) sum -= wall.neighbour_stiffness[k] * x[other];
+    }
+    out[node] = free_[node] ? sum : 0.0;
+}
+
+/// Sum over all nodes of f(node), the same for any number of threads; f may write to its node.
+template <class Function>
+double PressureSolver::sum_nodes(const Function& f) {
+    const int size = static_cast<int>(pressure_.size());
+    return sum_blocks((size + node_chunk - 1) / node_chunk, threads_, partial_, [&](int c) {
         double sum = 0.0;
-        const int last = std::min(size, (c + 1) * dot_chunk);
-        for (int i = c * dot_chunk; i < last; ++i) sum += a[i] * b[i];
+        const int last = std::min(size, (c + 1) * node_chunk);
+        for (int i = c * node_chunk; i < last; ++i) sum += f(i);
         return sum;
     });
 }
 
-void PressureSolver::precondition() {
-    for (std::size_t i = 0; i < residual_.size(); ++i) correction_[i] = residual_[i] / diagonal_[i];
-    coarse_.correct(aggregate_, coarse_scale, residual_, correction_);
+/// z = D^-1 r + coarse correction. Returns r.z.
+double PressureSolver::precondition() {
+    const double* coarse = coarse_.solve(aggregate_, residual_);
+    return sum_nodes([&](int i) {
+        correction_[i] = residual_[i] / diagonal_[i];
+        if (aggregate_[i] >= 0) correction_[i] += coarse_scale * coarse[aggregate_[i]];
+        return residual_[i] * correction_[i];
+    });
 }
 
+/// Conjugate gradients from the pressure at hand.
 PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
     PressureSolve result;
-    const std::size_t size = pressure_.size();
-    residual_.assign(size, 0.0);
-    correction_.assign(size, 0.0);
-    direction_.assign(size, 0.0);
-    product_.assign(size, 0.0);
+    for (auto* field : {&residual_, &correction_, &direction_, &product_}) field->resize(pressure_.size());
+    std::fill(direction_.begin(), direction_.end(), 0.0);
     multiply(n, wall, pressure_, product_);
-    for (std::size_t i = 0; i < size; ++i) residual_[i] = free_[i] ? right_hand_side_[i] - product_[i] : 0.0;
-    const double norm = std::sqrt(dot(right_hand_side_, right_hand_side_));
+    const double norm =
+        std::sqrt(sum_nodes([&](int i) { return right_hand_side_[i] * right_hand_side_[i]; }));
     const double target = tolerance_ * norm;
-    double rz_old = 0.0;
-    double size_now = std::sqrt(dot(residual_, residual_));
-    while (size_now > target && result.iterations < max_iterations) {
-        precondition();
-        const double rz = dot(residual_, correction_);
+    double left = std::sqrt(sum_nodes([&](int i) {
+        residual_[i] = free_[i] ? right_hand_side_[i] - product_[i] : 0.0;
+        return residual_[i] * residual_[i];
+    }));
+    double rz_old = 1.0;
+    while (left > target && result.iterations < max_iterations) {
+        const double rz = precondition();
         const double beta = result.iterations == 0 ? 0.0 : rz / rz_old;
-        for (std::size_t i = 0; i < size; ++i) direction_[i] = correction_[i] + beta * direction_[i];
+        sum_nodes([&](int i) { return direction_[i] = correction_[i] + beta * direction_[i]; });
         multiply(n, wall, direction_, product_);
-        const double alpha = rz / dot(direction_, product_);
-        for (std::size_t i = 0; i < size; ++i) {
+        const double alpha = rz / sum_nodes([&](int i) { return direction_[i] * product_[i]; });
+        left = std::sqrt(sum_nodes([&](int i) {
             pressure_[i] += alpha * direction_[i];
             residual_[i] -= alpha * product_[i];
-        }
+            return residual_[i] * residual_[i];
+        }));
         rz_old = rz;
-        size_now = std::sqrt(dot(residual_, residual_));
         ++result.iterations;
     }
-    result.residual = norm > 0.0 ? size_now / norm : 0.0;
-    result.converged = size_now <= target;
+    result.residual = norm > 0.0 ? left / norm : 0.0;
+    result.converged = left <= target;
     return result;
 }
 

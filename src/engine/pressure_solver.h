@@ -57,9 +57,12 @@ class PressureSolver {
     void refresh_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall);
     void multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x,
                   std::vector<double>& out);
-    void precondition();
+    void multiply_boundary_row(const Neighbours& n, const Wall& wall, int a, const std::vector<double>& x,
+                               std::vector<double>& out) const;
+    double precondition();
+    template <class Function>
+    double sum_nodes(const Function& f);
     PressureSolve iterate(const Neighbours& n, const Wall& wall);
-    double dot(const std::vector<double>& a, const std::vector<double>& b);
 
     Discretisation discretisation_;
     double gravity_;
