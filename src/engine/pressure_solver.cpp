@@ -22,7 +22,7 @@ PressureSolver::PressureSolver(const Discretisation& discretisation, double grav
                                double tolerance, int threads)
     : discretisation_(discretisation),
       gravity_(gravity),
-      relaxation_time_(2.0 * discretisation.spacing / std::sqrt(gravity * length)),
+      relaxation_time_(discretisation.spacing / std::sqrt(gravity * length)),
       tolerance_(tolerance),
       threads_(threads) {}
 
