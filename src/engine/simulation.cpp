@@ -14,8 +14,9 @@ namespace {
 
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
-constexpr double rest_energy = 1e-5;           // kinetic energy at rest, share of M g sqrt(S)
-constexpr double rest_time = 2.0;              // for so many sqrt(sqrt(S)/g)
+constexpr double rest_energy = 1e-5;           // energy of the mean motion at rest, share of M g sqrt(S)
+constexpr double rest_window = 0.5;            // over which the motion is averaged, in sqrt(sqrt(S)/g)
+constexpr int rest_windows = 4;                // in a row, to end the run
 constexpr double standing_spacings = 2.0;      // a lattice that finds its rest moves by up to one
 constexpr int equilibrium_rounds = 200;
 constexpr int equilibrium_iterations = 20;
@@ -65,6 +66,7 @@ Simulation::Simulation(const Scene& scene)
 Simulation::Simulation(const Scene& scene, const Packing& packing)
     : threads_(threads_for(scene.run.threads, packing.x.size())),
       run_(scene.run),
+      sin_phi_(std::sin(scene.material.friction_angle)),
       bed_(scene.source.bed),
       discretisation_(
           make_discretisation(packing.spacing, scene.run.smoothing_ratio, scene.material.density)),
@@ -79,8 +81,8 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
       search_(discretisation_, threads_),
       friction_(discretisation_, scene.material, scene.run, threads_),
       pressure_(discretisation_, scene.run.gravity, length_scale_, scene.run.pressure_tolerance, threads_) {
-    start_x_ = packing.x;
-    start_y_ = packing.y;
+    for (std::size_t i = 0; i < packing.x.size(); ++i) start_.emplace_back(packing.x[i], packing.y[i]);
+    mark_ = start_;
     for (auto* field : {&predicted_vx_, &predicted_vy_, &force_x_, &force_y_})
         field->assign(soil_.padded(), 0.0);
     release_ax_.assign(soil_.count, 0.0);
@@ -218,9 +220,13 @@ void Simulation::guard_wall() {
         const double back = std::min(-near.distance, 0.5 * discretisation_.spacing);
         soil_.x[i] += back * near.normal.x();
         soil_.y[i] += back * near.normal.y();
-        const double inward = std::min(0.0, soil_.vx[i] * near.normal.x() + soil_.vy[i] * near.normal.y());
-        soil_.vx[i] -= inward * near.normal.x();
-        soil_.vy[i] -= inward * near.normal.y();
+        const Vec2 v{soil_.vx[i], soil_.vy[i]};
+        const double inward = std::max(0.0, -v.dot(near.normal));
+        const Vec2 slip = v - v.dot(near.normal) * near.normal;
+        const double speed = slip.norm();
+        const double kept = speed > 0.0 ? std::max(0.0, 1.0 - sin_phi_ * inward / speed) : 0.0;
+        soil_.vx[i] = kept * slip.x() + std::max(0.0, v.dot(near.normal)) * near.normal.x();
+        soil_.vy[i] = kept * slip.y() + std::max(0.0, v.dot(near.normal)) * near.normal.y();
         // A lone grain that lies on the line is no defect; one that was driven in is.
         if (back > 0.01 * discretisation_.spacing) ++work_.wall_guard_activations;
     }
@@ -233,31 +239,26 @@ void Simulation::end(RunStatus status, std::string detail) {
 
 /// Ends the run at rest, at the time limit, or with the name of what went wrong.
 void Simulation::judge() {
-    double kinetic = 0.0;
-    double moved2 = 0.0;
+    const double first = bed_.points().front().x();
+    const double last = bed_.points().back().x();
     for (int i = 0; i < soil_.count; ++i) {
-        const double v2 = soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i];
-        kinetic += v2;
-        const double dx = soil_.x[i] - start_x_[soil_.id[i]];
-        const double dy = soil_.y[i] - start_y_[soil_.id[i]];
-        moved2 = std::max(moved2, dx * dx + dy * dy);
-        if (!std::isfinite(v2)) {
+        if (!std::isfinite(soil_.vx[i]) || !std::isfinite(soil_.vy[i])) {
             return end(
                 RunStatus::diverged,
                 fmt::format("velocity of particle {} is not a number at t = {:.4g} s", soil_.id[i], time_));
         }
-        if (soil_.x[i] > bed_.points().back().x() || soil_.x[i] < bed_.points().front().x()) {
+        if (soil_.x[i] > last || soil_.x[i] < first) {
             return end(
                 RunStatus::left_section,
                 fmt::format("soil passed the {} end of the section at t = {:.4g} s; lengthen the section",
-                            soil_.x[i] < 0 ? "uphill" : "distal", time_));
+                            soil_.x[i] < first ? "uphill" : "distal", time_));
         }
     }
-    const double limit = rest_energy * run_.gravity * length_scale_;
-    if (0.5 * kinetic / soil_.count > limit) last_motion_ = time_;
-    if (rested() >= 1.0) {
-        const bool stood = moved2 < std::pow(standing_spacings * discretisation_.spacing, 2);
-        return end(stood ? RunStatus::stable : RunStatus::settled);
+    if (time_ - mark_time_ >= rest_window * time_scale_) close_rest_window();
+    if (resting_windows_ >= rest_windows) {
+        return end(greatest_displacement() < standing_spacings * discretisation_.spacing
+                       ? RunStatus::stable
+                       : RunStatus::settled);
     }
     if (unconverged_in_a_row_ > 20) {
         return end(
@@ -269,8 +270,34 @@ void Simulation::judge() {
     }
 }
 
+/// Judges the motion by how far the particles got since the window opened, so that the trembling of lone
+/// grains, which leads nowhere, does not count.
+void Simulation::close_rest_window() {
+    const double duration = time_ - mark_time_;
+    double moved2 = 0.0;
+    for (int i = 0; i < soil_.count; ++i) {
+        Vec2& mark = mark_[soil_.id[i]];
+        const Vec2 now{soil_.x[i], soil_.y[i]};
+        moved2 += (now - mark).squaredNorm();
+        mark = now;
+    }
+    const double energy = 0.5 * moved2 / (soil_.count * duration * duration);  // per mass
+    const bool resting = energy < rest_energy * run_.gravity * length_scale_;
+    resting_windows_ = resting ? resting_windows_ + 1 : 0;
+    if (!resting) last_motion_ = time_;
+    mark_time_ = time_;
+}
+
+double Simulation::greatest_displacement() const {
+    double moved2 = 0.0;
+    for (int i = 0; i < soil_.count; ++i) {
+        moved2 = std::max(moved2, (Vec2{soil_.x[i], soil_.y[i]} - start_[soil_.id[i]]).squaredNorm());
+    }
+    return std::sqrt(moved2);
+}
+
 double Simulation::rested() const {
-    return (time_ - last_motion_) / (rest_time * time_scale_);
+    return static_cast<double>(resting_windows_) / rest_windows;
 }
 
 StateView Simulation::state() const {

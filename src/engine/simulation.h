@@ -75,12 +75,15 @@ class Simulation {
     void move(double dt);
     void guard_wall();
     void judge();
+    void close_rest_window();
+    [[nodiscard]] double greatest_displacement() const;
     void end(RunStatus status, std::string detail = {});
 
     [[nodiscard]] bool in_body(int i) const { return neighbours_.density[i] >= 0.6; }
 
     int threads_;
     RunSettings run_;
+    double sin_phi_;
     BedLine bed_;
     Discretisation discretisation_;
     double length_scale_;  ///< sqrt(S), m
@@ -97,7 +100,8 @@ class Simulation {
     PressureSolver pressure_;
     std::vector<double> predicted_vx_, predicted_vy_;
     std::vector<double> force_x_, force_y_;
-    std::vector<double> start_x_, start_y_;  ///< by id
+    std::vector<Vec2> start_;  ///< positions at release, by id
+    std::vector<Vec2> mark_;   ///< positions when the rest window opened, by id
 
     bool released_ = false;
     int balance_rounds_ = 0;
@@ -106,6 +110,8 @@ class Simulation {
     double time_ = 0;
     double highest_pressure_ = 0;
     double last_motion_ = 0;
+    double mark_time_ = 0;
+    int resting_windows_ = 0;
     double friction_work_ = 0;
     double pressure_work_ = 0;
     int unconverged_in_a_row_ = 0;
