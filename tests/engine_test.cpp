@@ -365,5 +365,18 @@ TEST(PackingTest, MassOfATriangleIsExactAndNobodyIsSqueezed) {
     for (int i = 0; i < soil.count; ++i) EXPECT_LT(n.density[i], 1.03);
 }
 
+// A sliver squeezed particles out of its tip and into the bed.
+TEST(PackingTest, NobodyStartsOutsideASliver) {
+    const Scene scene = scenes::polygon({{0, 3.6}, {6.53, 3.6}, {8.61, 0}, {150, 0}},
+                                        {{8.61, 0}, {6.53, 3.6}, {6.24, 2.8}, {7.2, 1.0}}, 60.0, 0.2);
+    const BedLine outline(scene.source.outline, true);
+    for (const double dl : {0.3, 0.2, 0.1}) {
+        const Packing packing = pack_source(scene.source, dl, 1.3);
+        for (std::size_t i = 0; i < packing.x.size(); ++i) {
+            EXPECT_GT(outline.nearest({packing.x[i], packing.y[i]}).distance, 0.0);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace runout

@@ -154,6 +154,8 @@ void settle(Packing& packing, const Polygon& outline, double smoothing_ratio) {
             Vec2 step = -0.5 * d.volume() * Vec2{n.surface_x[i], n.surface_y[i]};
             const double size = step.norm();
             if (size > 0.1 * d.spacing) step *= 0.1 * d.spacing / size;
+            if (!contains(outline, Vec2{soil.x[i], soil.y[i]} + step))
+                continue;  // squeezed out of a sharp tip
             soil.x[i] += step.x();
             soil.y[i] += step.y();
             largest = std::max(largest, step.norm());
