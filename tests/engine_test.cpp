@@ -19,20 +19,6 @@ namespace {
 constexpr double spacing = 0.005;
 constexpr double density = 2000.0;
 
-Soil soil_at(const std::vector<double>& x, const std::vector<double>& y) {
-    Soil soil;
-    soil.count = static_cast<int>(x.size());
-    soil.x = x;
-    soil.y = y;
-    for (auto* field : {&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy}) {
-        field->resize(soil.padded(), 0.0);
-    }
-    soil.id.resize(soil.padded());
-    std::iota(soil.id.begin(), soil.id.end(), 0);
-    soil.aggregate.resize(soil.padded(), -1);
-    return soil;
-}
-
 /// Square block of n x n lattice points with its lower left cell at the origin.
 Soil lattice(int n) {
     std::vector<double> x;

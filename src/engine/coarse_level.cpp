@@ -72,10 +72,6 @@ struct CoarseLevel::Factor {
 CoarseLevel::CoarseLevel() : factor_(std::make_unique<Factor>()) {}
 CoarseLevel::~CoarseLevel() = default;
 
-int CoarseLevel::size() const {
-    return factor_->size;
-}
-
 namespace {
 
 constexpr int reach = 2;  // cells that a pair can span: supports merge through boundary particles

@@ -27,8 +27,6 @@ class CoarseLevel {
     /// A_c^-1 P^T r over nodes with an aggregate: one value per cell, valid until the next call.
     const double* solve(const std::vector<int>& aggregate, const std::vector<double>& r);
 
-    [[nodiscard]] int size() const;
-
   private:
     struct Factor;
     std::unique_ptr<Factor> factor_;

@@ -133,16 +133,7 @@ Packing fitted_lattice(const Source& source, const Axes& axes, double spacing) {
 void settle(Packing& packing, const Polygon& outline, double smoothing_ratio) {
     const Discretisation d = make_discretisation(packing.spacing, smoothing_ratio, 1.0);
     const Wall shell = make_wall(BedLine(outline, true), d);
-    Soil soil;
-    soil.count = static_cast<int>(packing.x.size());
-    const auto padded = static_cast<std::size_t>(soil.padded());
-    soil.x = packing.x;
-    soil.y = packing.y;
-    for (auto* field : {&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy}) {
-        field->resize(padded, 0.0);
-    }
-    soil.id.resize(padded, 0);
-    soil.aggregate.resize(padded, -1);
+    Soil soil = soil_at(packing.x, packing.y);
     NeighbourSearch search(d, 1);
     Neighbours n;
     for (int pass = 0; pass < 200; ++pass) {

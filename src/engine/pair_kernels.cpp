@@ -2,7 +2,7 @@
 
 namespace runout {
 
-const PairKernels pair_kernels_baseline = kernels::table("baseline");
+const PairKernels pair_kernels_baseline = kernels::table();
 
 const PairKernels& pair_kernels() {
 #if defined(__x86_64__)

@@ -66,8 +66,6 @@ struct GeometryConstants {
 /// boundary particles; results are written for every lane of the block's rows. Signs as in the paper:
 /// compression positive. Each row is summed in its own order, so every instruction set gives the same bits.
 struct PairKernels {
-    const char* instruction_set;
-
     /// force = sum_j (s_i + s_j) . V gradW, Pa/m: divergence of the deviatoric stress, eq. 3. Plain, not
     /// renormalised gradients: the renormalised form drags thin layers (false friction).
     void (*stress_divergence)(const PairRows& rows, const float* sxx, const float* sxy, float* force_x,

@@ -2,6 +2,6 @@
 
 namespace runout {
 
-const PairKernels pair_kernels_avx2 = kernels::table("AVX2");
+const PairKernels pair_kernels_avx2 = kernels::table();
 
 }  // namespace runout

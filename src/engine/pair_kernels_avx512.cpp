@@ -2,6 +2,6 @@
 
 namespace runout {
 
-const PairKernels pair_kernels_avx512 = kernels::table("AVX-512");
+const PairKernels pair_kernels_avx512 = kernels::table();
 
 }  // namespace runout

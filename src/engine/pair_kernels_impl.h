@@ -155,9 +155,9 @@ void pair_geometry(const PairGeometry& p, const GeometryConstants& constants) {
     }
 }
 
-constexpr PairKernels table(const char* instruction_set) {
-    return {instruction_set,   stress_divergence, pressure_gradient, velocity_divergence,
-            velocity_gradient, update_stress,     stiffness_product, pair_geometry};
+constexpr PairKernels table() {
+    return {stress_divergence, pressure_gradient, velocity_divergence, velocity_gradient,
+            update_stress,     stiffness_product, pair_geometry};
 }
 
 }  // namespace

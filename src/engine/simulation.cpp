@@ -28,19 +28,6 @@ int threads_for(int wanted, std::size_t particles) {
     return std::clamp(static_cast<int>(particles) / particles_per_thread, 1, available);
 }
 
-Soil make_soil(const Packing& packing) {
-    Soil soil;
-    soil.count = static_cast<int>(packing.x.size());
-    soil.x = packing.x;
-    soil.y = packing.y;
-    for (auto* field : {&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy}) {
-        field->resize(soil.padded(), 0.0);
-    }
-    soil.aggregate.resize(soil.padded(), -1);
-    for (int i = 0; i < soil.padded(); ++i) soil.id.push_back(i);
-    return soil;
-}
-
 double lowest(const Polyline& points) {
     double y = points.front().y();
     for (const Vec2& p : points) y = std::min(y, p.y());
@@ -76,7 +63,7 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
       height_(highest(scene.source.outline) - floor_),
       time_limit_(scene.run.time_limit > 0 ? scene.run.time_limit
                                            : 60.0 * std::sqrt(height_ / scene.run.gravity)),
-      soil_(make_soil(packing)),
+      soil_(soil_at(packing.x, packing.y)),
       wall_(make_wall(bed_, discretisation_)),
       search_(discretisation_, threads_),
       friction_(discretisation_, scene.material, scene.run, threads_),

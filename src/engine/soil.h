@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include "engine/pair_kernels.h"
@@ -18,5 +20,21 @@ struct Soil {
 
     [[nodiscard]] int padded() const { return (count + lanes - 1) / lanes * lanes; }
 };
+
+/// Soil at rest and free of stress, numbered in the order given. x, y: m, of one length.
+inline Soil soil_at(const std::vector<double>& x, const std::vector<double>& y) {
+    Soil soil;
+    soil.count = static_cast<int>(x.size());
+    const auto padded = static_cast<std::size_t>(soil.padded());
+    soil.x = x;
+    soil.y = y;
+    for (auto* field : {&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy}) {
+        field->resize(padded, 0.0);
+    }
+    soil.id.resize(padded);
+    std::iota(soil.id.begin(), soil.id.end(), 0);
+    soil.aggregate.resize(padded, -1);
+    return soil;
+}
 
 }  // namespace runout
