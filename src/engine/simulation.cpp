@@ -14,10 +14,13 @@ namespace {
 
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
-constexpr double rest_energy = 1e-5;           // energy of the mean motion at rest, share of M g sqrt(S)
-constexpr double rest_window = 0.5;            // over which the motion is averaged, in sqrt(sqrt(S)/g)
-constexpr int rest_windows = 4;                // in a row, to end the run
-constexpr double standing_spacings = 2.0;      // a lattice that finds its rest moves by up to one
+constexpr double speed_tolerance =
+    2.0;  // over free fall from the top of the source: jets of an impact exceed 1
+constexpr double energy_tolerance = 0.02;  // rise of mechanical energy, share of M g H
+constexpr double rest_energy = 1e-5;       // energy of the mean motion at rest, share of M g sqrt(S)
+constexpr double rest_window = 0.5;        // over which the motion is averaged, in sqrt(sqrt(S)/g)
+constexpr int rest_windows = 4;            // in a row, to end the run
+constexpr double standing_spacings = 2.0;  // a lattice that finds its rest moves by up to one
 constexpr int equilibrium_rounds = 200;
 constexpr int equilibrium_iterations = 20;
 constexpr double equilibrium_change = 5e-4;  // of the acceleration between two rounds, in g, root mean square
@@ -224,16 +227,37 @@ void Simulation::end(RunStatus status, std::string detail) {
     detail_ = std::move(detail);
 }
 
+/// A run whose numbers can no longer be true ends here, with the name of what was violated, when and where.
+void Simulation::check_invariants() {
+    const double fastest2 = std::pow(speed_tolerance, 2) * 2.0 * run_.gravity * height_;
+    double energy = 0.0;  // per mass and particle
+    for (int i = 0; i < soil_.count; ++i) {
+        const double speed2 = soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i];
+        energy += 0.5 * speed2 + run_.gravity * soil_.y[i];
+        const bool too_fast = in_body(i) && speed2 > fastest2;
+        if (std::isfinite(speed2) && !too_fast) continue;
+        return end(
+            RunStatus::diverged,
+            fmt::format(
+                "speed of {:.3g} m/s is twice that of free fall from the top of the source at t = {:.4g} s, "
+                "x = {:.4g} m past the toe",
+                std::sqrt(speed2), time_, soil_.x[i]));
+    }
+    energy /= soil_.count;
+    if (work_.steps == 1) start_energy_ = energy;
+    if (energy > start_energy_ + energy_tolerance * run_.gravity * height_) {
+        end(RunStatus::diverged,
+            fmt::format("mechanical energy rose above its start at t = {:.4g} s", time_));
+    }
+}
+
 /// Ends the run at rest, at the time limit, or with the name of what went wrong.
 void Simulation::judge() {
+    check_invariants();
+    if (status_ != RunStatus::running) return;
     const double first = bed_.points().front().x();
     const double last = bed_.points().back().x();
     for (int i = 0; i < soil_.count; ++i) {
-        if (!std::isfinite(soil_.vx[i]) || !std::isfinite(soil_.vy[i])) {
-            return end(
-                RunStatus::diverged,
-                fmt::format("velocity of particle {} is not a number at t = {:.4g} s", soil_.id[i], time_));
-        }
         if (soil_.x[i] > last || soil_.x[i] < first) {
             return end(
                 RunStatus::left_section,

@@ -74,6 +74,7 @@ class Simulation {
     void correct(double dt);
     void move(double dt);
     void guard_wall();
+    void check_invariants();
     void judge();
     void close_rest_window();
     [[nodiscard]] double greatest_displacement() const;
@@ -109,6 +110,7 @@ class Simulation {
 
     double time_ = 0;
     double highest_pressure_ = 0;
+    double start_energy_ = 0;  ///< per mass, J/kg
     double last_motion_ = 0;
     double mark_time_ = 0;
     int resting_windows_ = 0;
