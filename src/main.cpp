@@ -9,6 +9,7 @@
 #include "core/input_error.h"
 #include "core/version.h"
 #include "program/command.h"
+#include "program/waiting_threads.h"
 
 namespace {
 
@@ -81,6 +82,7 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    let_waiting_threads_sleep(argv);
     try {
         log_to_stderr();
         return run_program(argc, argv);
