@@ -9,7 +9,6 @@
 #include "core/input_error.h"
 #include "core/version.h"
 #include "program/command.h"
-#include "program/waiting_threads.h"
 
 namespace {
 
@@ -82,7 +81,6 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    let_waiting_threads_sleep(argv);
     try {
         log_to_stderr();
         return run_program(argc, argv);
