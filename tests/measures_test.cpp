@@ -67,6 +67,20 @@ TEST(DepositTest, GrainsApartDoNotCount) {
                 1.0, 0.02);
 }
 
+// Debris that stops on a bench and below it: the part below was once called stray, and the run-out was that
+// of the bench.
+TEST(DepositTest, DistalPartOfADividedDepositHasTheFront) {
+    HandMade soil;
+    soil.add(0.0, 1.0, 10);
+    soil.add(2.0, 2.5, 8);
+    const std::vector<char> body = connected_body(soil.view());
+    EXPECT_EQ(std::count(body.begin(), body.end(), 0), 0);
+    const DepositProfile profile = deposit_profile(soil.view(), body);
+    EXPECT_NEAR(contiguous_front(profile, &DepositProfile::Bin::by_top, 0.05), 2.5, 0.02);
+    // Where the distal part is too thin to count, the one before it has the front.
+    EXPECT_NEAR(contiguous_front(profile, &DepositProfile::Bin::by_top, 0.09), 1.0, 0.02);
+}
+
 TEST(DepositTest, ThinTailIsNotTheFrontOfAThickThreshold) {
     HandMade soil;
     soil.add(0.0, 1.0, 10);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double link_spacings = 1.6;
 constexpr double bin_spacings = 2.0;
+constexpr double deposit_share = 0.01;  // of all particles, that makes a cluster part of the deposit
 
 int root(std::vector<int>& parent, int i) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
@@ -57,9 +58,10 @@ std::vector<char> connected_body(const StateView& state) {
     }
     std::vector<int> size(count, 0);
     for (int i = 0; i < count; ++i) ++size[root(parent, i)];
-    const int largest = static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
+    const int largest = *std::max_element(size.begin(), size.end());
+    const double least = std::min<double>(largest, std::max(3.0, deposit_share * count));
     std::vector<char> body(count);
-    for (int i = 0; i < count; ++i) body[i] = root(parent, i) == largest ? 1 : 0;
+    for (int i = 0; i < count; ++i) body[i] = size[root(parent, i)] >= least ? 1 : 0;
     return body;
 }
 
@@ -96,15 +98,25 @@ double contiguous_front(const DepositProfile& profile, double DepositProfile::Bi
                         double threshold) {
     const auto& bins = profile.bins;
     if (bins.empty()) return 0.0;
-    std::size_t k = static_cast<std::size_t>(
-        std::max_element(bins.begin(), bins.end(),
-                         [&](const auto& a, const auto& b) { return a.*thickness < b.*thickness; }) -
-        bins.begin());
-    if (bins[k].*thickness < threshold) return bins[k].x;
-    while (k + 1 < bins.size() && bins[k + 1].*thickness >= threshold) ++k;
-    const double here = bins[k].*thickness;
-    const double next = k + 1 < bins.size() ? bins[k + 1].*thickness : 0.0;
-    return bins[k].x + profile.bin_width * (here - threshold) / (here - next);
+    // Parts of the deposit are runs of bins with soil; the most distal part that is thick enough has the
+    // front.
+    const auto thicker = [&](const auto& a, const auto& b) { return a.*thickness < b.*thickness; };
+    auto part_end = bins.end();
+    while (part_end != bins.begin()) {
+        const auto holds_soil = [](const auto& bin) { return bin.by_top > 0.0; };
+        auto part_begin = part_end;
+        while (part_begin != bins.begin() && holds_soil(*(part_begin - 1))) --part_begin;
+        auto bin = std::max_element(part_begin, part_end, thicker);
+        if (bin != part_end && (*bin).*thickness >= threshold) {
+            while (bin + 1 != part_end && (*(bin + 1)).*thickness >= threshold) ++bin;
+            const double here = (*bin).*thickness;
+            const double next = bin + 1 != bins.end() ? (*(bin + 1)).*thickness : 0.0;
+            return bin->x + profile.bin_width * (here - threshold) / (here - next);
+        }
+        part_end = part_begin;
+        while (part_end != bins.begin() && !holds_soil(*(part_end - 1))) --part_end;
+    }
+    return std::max_element(bins.begin(), bins.end(), thicker)->x;
 }
 
 double mass_front(const StateView& state, double share) {

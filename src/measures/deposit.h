@@ -19,14 +19,15 @@ struct DepositProfile {
     std::vector<Bin> bins;  ///< from the uphill end of the mass to its distal end, none left out
 };
 
-/// Particles of the largest cluster with links up to 1.6 spacings: 1, lone grains: 0. One value per particle.
+/// 1 for particles of clusters (links up to 1.6 spacings) that hold at least 1 % of all particles, since
+/// debris may rest in several parts, on a bench and below it; 0 for strays. One value per particle.
 std::vector<char> connected_body(const StateView& state);
 
 DepositProfile deposit_profile(const StateView& state, const std::vector<char>& body);
 
-/// Distal end x of the contiguous deposit thicker than `threshold`, reckoned from its thickest bin and
-/// interpolated between bins; `thickness` picks the definition. The thickest bin's middle if nothing is that
-/// thick.
+/// Distal end x of the contiguous deposit thicker than `threshold`, in the most distal part of the deposit
+/// that is that thick, reckoned from the part's thickest bin and interpolated between bins; `thickness` picks
+/// the definition. The thickest bin's middle if nothing is that thick.
 double contiguous_front(const DepositProfile& profile, double DepositProfile::Bin::*thickness,
                         double threshold);
 
