@@ -56,6 +56,23 @@ struct DepositRow {
     double thickness_by_top_m = 0;
 };
 
+/// Particles at one instant, local frame; one value per particle, in the order they were packed.
+struct Snapshot {
+    double time_s = 0;
+    std::vector<float> x_m, y_m;
+    std::vector<float> vx_m_s, vy_m_s;
+    std::vector<float> pressure_pa;
+};
+
+/// The heap at rest after one release of a staged run; the first row is the source alone.
+struct StageRow {
+    double time_s = 0;
+    double area_m2 = 0;            ///< released so far
+    double surface_angle_deg = 0;  ///< of the free surface in the middle part of the deposit
+    double deposit_height_m = 0;   ///< greatest thickness by top
+    double run_out_m = 0;          ///< as Measures::run_out_m
+};
+
 /// What the run took and how sound it was. Counts are exact and reproducible; seconds are not.
 struct RunWork {
     long particles = 0;
@@ -86,6 +103,8 @@ struct RunResult {
     std::vector<SeriesRow> series;
     std::vector<DepositRow> deposit;
     std::vector<PhaseTime> phases;
+    std::vector<Snapshot> snapshots;
+    std::vector<StageRow> stages;  ///< empty unless the release is staged
 };
 
 }  // namespace runout

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,31 @@ struct RunSettings {
     double smoothing_ratio = 1.3;  ///< h/dl
     FrictionScheme friction = FrictionScheme::projected;
     int friction_iterations = 5;
-    double pressure_tolerance = 1e-2;  ///< relative residual of the pressure equation
-    double time_limit = 0;             ///< s of simulated time; 0: 60 sqrt(H/g)
-    double front_thickness = 0;        ///< m, threshold of the contiguous front; 0: 3 % of sqrt(S)
-    int threads = 0;                   ///< 0: all cores
+    double pressure_tolerance = 1e-2;    ///< relative residual of the pressure equation
+    double time_limit = 0;               ///< s of simulated time; 0: 60 sqrt(H/g)
+    double front_thickness = 0;          ///< m, threshold of the contiguous front; 0: 3 % of sqrt(S)
+    int lattice_seed = 0;                ///< 0: regular lattice; else particles start off it at random
+    std::vector<double> snapshot_times;  ///< s since release, rising: instants to keep the particles of
+    int threads = 0;                     ///< 0: all cores
+};
+
+/// Coulomb friction between the soil and its bed where it is less than the soil's own.
+struct BaseFriction {
+    double angle = 0;  ///< delta, rad: traction on the bed at most p tan(delta)
+};
+
+/// Pouring: each time the soil has come to rest, one more layer is let go just above its uphill end.
+struct StagedRelease {
+    int layers = 0;
+    double layer_width = 0;   ///< m
+    double layer_height = 0;  ///< m
+};
+
+/// What goes beyond gravity, Coulomb friction, incompressibility and a rough rigid bed: absent unless the
+/// case names it.
+struct Effects {
+    std::optional<BaseFriction> base_friction;
+    std::optional<StagedRelease> release;
 };
 
 /// The question, whole and valid: what stands, what moves, of what, and how to simulate it.
@@ -41,6 +63,7 @@ struct Scene {
     Profile profile;
     Source source;
     Material material;
+    Effects effects;
     RunSettings run;
     std::vector<std::string>
         assumed;  ///< "source.base_angle_deg = 35", what was not given and had to be chosen

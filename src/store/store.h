@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,9 +64,13 @@ class Store {
     [[nodiscard]] std::vector<StoredRun> runs() const;
     /// Throws InputError when there is no such run.
     [[nodiscard]] StoredRun run(long run_id) const;
+    /// The latest run of this scenario that the user did not interrupt.
+    [[nodiscard]] std::optional<long> find_run(const std::string& scenario_hash) const;
     [[nodiscard]] std::vector<SeriesRow> series(long run_id) const;
     [[nodiscard]] std::vector<DepositRow> deposit(long run_id) const;
     [[nodiscard]] std::vector<PhaseTime> phases(long run_id) const;
+    [[nodiscard]] std::vector<Snapshot> snapshots(long run_id) const;
+    [[nodiscard]] std::vector<StageRow> stages(long run_id) const;
 
   private:
     struct Impl;

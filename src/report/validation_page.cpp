@@ -1,0 +1,1 @@
+#include "report/validation_page.h"

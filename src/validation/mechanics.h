@@ -1,0 +1,12 @@
+#pragma once
+
+#include "validation/case_runs.h"
+
+namespace runout {
+
+ValidationCase slab_case();
+ValidationCase silo_case();
+ValidationCase dam_break_case();
+ValidationCase similarity_case();
+
+}  // namespace runout
