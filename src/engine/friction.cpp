@@ -8,10 +8,16 @@
 
 namespace runout {
 
-Friction::Friction(const Discretisation& discretisation, const Material& material, const RunSettings& run,
-                   int threads)
+double interface_strength(const Material& material, const Effects& effects) {
+    const double own = std::sin(material.friction_angle);
+    return effects.base_friction ? std::min(own, std::tan(effects.base_friction->angle)) : own;
+}
+
+Friction::Friction(const Discretisation& discretisation, const Material& material, const Effects& effects,
+                   const RunSettings& run, int threads)
     : discretisation_(discretisation),
       sin_phi_(std::sin(material.friction_angle)),
+      interface_strength_(interface_strength(material, effects)),
       gravity_(run.gravity),
       scheme_(run.friction),
       iterations_(run.friction_iterations),
@@ -38,6 +44,17 @@ void Friction::load(const Neighbours& n, const Soil& soil, const Wall& wall) {
     }
     for (int i = 0; i < n.nodes; ++i)
         strength_[i] = static_cast<float>(std::max(pressure_[i], 0.0) * sin_phi_);
+    if (interface_strength_ < sin_phi_) weaken_interface(n);
+}
+
+void Friction::weaken_interface(const Neighbours& n) {
+    const auto weaken = [&](int node) {
+        strength_[node] = static_cast<float>(std::max(pressure_[node], 0.0) * interface_strength_);
+    };
+    for (int i = 0; i < n.soil_count; ++i) {
+        if (n.nearest_boundary[i] >= 0) weaken(i);
+    }
+    for (int a = 0; a < n.active_count(); ++a) weaken(n.first_boundary + a);
 }
 
 void Friction::save(const Neighbours& n, Soil& soil, Wall& wall) const {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <random>
 
 #include "engine/bed_line.h"
 #include "engine/neighbours.h"
@@ -9,6 +11,8 @@
 
 namespace runout {
 namespace {
+
+constexpr double jitter_size = 0.25;  // in spacings
 
 struct Axes {
     Vec2 origin, along, up;
@@ -157,15 +161,35 @@ void settle(Packing& packing, const Polygon& outline, double smoothing_ratio) {
     packing.y.assign(soil.y.begin(), soil.y.begin() + soil.count);
 }
 
+/// The same on every machine, which the distributions of the standard library are not.
+double uniform_in_unit(std::mt19937_64& generator) {
+    return static_cast<double>(generator() >> 11U) * 0x1p-53;
+}
+
+void jitter(Packing& packing, const Polygon& outline, int seed) {
+    std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
+    for (std::size_t i = 0; i < packing.x.size(); ++i) {
+        const Vec2 step{jitter_size * (2.0 * uniform_in_unit(generator) - 1.0),
+                        jitter_size * (2.0 * uniform_in_unit(generator) - 1.0)};
+        const Vec2 moved = Vec2{packing.x[i], packing.y[i]} + packing.spacing * step;
+        if (!contains(outline, moved)) continue;
+        packing.x[i] = moved.x();
+        packing.y[i] = moved.y();
+    }
+}
+
 }  // namespace
 
-Packing pack_source(const Source& source, double spacing, double smoothing_ratio) {
+Packing pack_source(const Source& source, double spacing, double smoothing_ratio, int seed) {
     const std::size_t base = base_edge(source);
     const Vec2 from = source.outline[base];
     const Vec2 along = (source.outline[(base + 1) % source.outline.size()] - from).normalized();
     const Axes axes{from, along, {-along.y(), along.x()}};
-    if (is_rectangle(source.outline)) return stretched_lattice(source.outline, axes, base, spacing);
-    Packing packing = fitted_lattice(source, axes, spacing);
+    const bool rectangle = is_rectangle(source.outline);
+    Packing packing = rectangle ? stretched_lattice(source.outline, axes, base, spacing)
+                                : fitted_lattice(source, axes, spacing);
+    if (rectangle && seed == 0) return packing;
+    if (seed != 0) jitter(packing, source.outline, seed);
     settle(packing, source.outline, smoothing_ratio);
     return packing;
 }

@@ -51,12 +51,14 @@ double spacing_of(const Scene& scene) {
 }  // namespace
 
 Simulation::Simulation(const Scene& scene)
-    : Simulation(scene, pack_source(scene.source, spacing_of(scene), scene.run.smoothing_ratio)) {}
+    : Simulation(scene, pack_source(scene.source, spacing_of(scene), scene.run.smoothing_ratio,
+                                    scene.run.lattice_seed)) {}
 
 Simulation::Simulation(const Scene& scene, const Packing& packing)
     : threads_(threads_for(scene.run.threads, packing.x.size())),
       run_(scene.run),
-      sin_phi_(std::sin(scene.material.friction_angle)),
+      base_strength_(interface_strength(scene.material, scene.effects)),
+      release_(scene.effects.release.value_or(StagedRelease{})),
       bed_(scene.source.bed),
       discretisation_(
           make_discretisation(packing.spacing, scene.run.smoothing_ratio, scene.material.density)),
@@ -69,16 +71,21 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
       soil_(soil_at(packing.x, packing.y)),
       wall_(make_wall(bed_, discretisation_)),
       search_(discretisation_, threads_),
-      friction_(discretisation_, scene.material, scene.run, threads_),
+      friction_(discretisation_, scene.material, scene.effects, scene.run, threads_),
       pressure_(discretisation_, scene.run.gravity, length_scale_, scene.run.pressure_tolerance, threads_) {
     for (std::size_t i = 0; i < packing.x.size(); ++i) start_.emplace_back(packing.x[i], packing.y[i]);
     mark_ = start_;
-    for (auto* field : {&predicted_vx_, &predicted_vy_, &force_x_, &force_y_})
-        field->assign(soil_.padded(), 0.0);
+    release_head_ = *std::min_element(packing.x.begin(), packing.x.end()) - 0.5 * packing.spacing;
+    make_room();
     release_ax_.assign(soil_.count, 0.0);
     release_ay_.assign(soil_.count, 0.0);
     search_.sort(soil_);
     search_.find(soil_, wall_, neighbours_);
+}
+
+void Simulation::make_room() {
+    for (auto* field : {&predicted_vx_, &predicted_vy_, &force_x_, &force_y_})
+        field->assign(soil_.padded(), 0.0);
 }
 
 /// One round towards pressure and stress in balance on the frozen geometry, the mass not yet moving. Without
@@ -108,6 +115,7 @@ void Simulation::balance() {
 
 void Simulation::step() {
     if (!released_) return balance();
+    if (stage_ended_) release_layer();
     clock_.enter(Phase::neighbours);
     search_.sort(soil_);
     search_.find(soil_, wall_, neighbours_);
@@ -214,7 +222,7 @@ void Simulation::guard_wall() {
         const double inward = std::max(0.0, -v.dot(near.normal));
         const Vec2 slip = v - v.dot(near.normal) * near.normal;
         const double speed = slip.norm();
-        const double kept = speed > 0.0 ? std::max(0.0, 1.0 - sin_phi_ * inward / speed) : 0.0;
+        const double kept = speed > 0.0 ? std::max(0.0, 1.0 - base_strength_ * inward / speed) : 0.0;
         soil_.vx[i] = kept * slip.x() + std::max(0.0, v.dot(near.normal)) * near.normal.x();
         soil_.vy[i] = kept * slip.y() + std::max(0.0, v.dot(near.normal)) * near.normal.y();
         // A lone grain that lies on the line is no defect; one that was driven in is.
@@ -244,7 +252,8 @@ void Simulation::check_invariants() {
                 std::sqrt(speed2), time_, soil_.x[i]));
     }
     energy /= soil_.count;
-    if (work_.steps == 1) start_energy_ = energy;
+    if (!energy_marked_) start_energy_ = energy;
+    energy_marked_ = true;
     if (energy > start_energy_ + energy_tolerance * run_.gravity * height_) {
         end(RunStatus::diverged,
             fmt::format("mechanical energy rose above its start at t = {:.4g} s", time_));
@@ -266,19 +275,53 @@ void Simulation::judge() {
         }
     }
     if (time_ - mark_time_ >= rest_window * time_scale_) close_rest_window();
-    if (resting_windows_ >= rest_windows) {
-        return end(greatest_displacement() < standing_spacings * discretisation_.spacing
-                       ? RunStatus::stable
-                       : RunStatus::settled);
-    }
+    if (resting_windows_ >= rest_windows) return end_at_rest();
     if (unconverged_in_a_row_ > 20) {
         return end(
             RunStatus::not_converged,
             fmt::format("the pressure equation missed its tolerance in 20 steps up to t = {:.4g} s", time_));
     }
-    if (time_ >= time_limit_) {
+    if (time_ - stage_start_ >= time_limit_) {
         end(RunStatus::time_limit, fmt::format("still moving at the time limit of {:.4g} s", time_limit_));
     }
+}
+
+void Simulation::end_at_rest() {
+    if (layers_released_ < release_.layers) {
+        stage_ended_ = true;
+        return;
+    }
+    end(greatest_displacement() < standing_spacings * discretisation_.spacing ? RunStatus::stable
+                                                                              : RunStatus::settled);
+}
+
+/// One more layer of a poured heap: a lattice at the uphill end, its lowest row one spacing above the highest
+/// particle beneath it (Fig. 5 of the paper). Its stress is that of free fall, none. What was at rest is
+/// taken as at rest, and energy is reckoned anew from here.
+void Simulation::release_layer() {
+    const double dl = discretisation_.spacing;
+    const int columns = std::max(1, static_cast<int>(std::lround(release_.layer_width / dl)));
+    const int rows = std::max(1, static_cast<int>(std::lround(release_.layer_height / dl)));
+    double top = bed_.elevation(release_head_);
+    for (int i = 0; i < soil_.count; ++i) {
+        if (soil_.x[i] < release_head_ + columns * dl) top = std::max(top, soil_.y[i]);
+    }
+    std::vector<Vec2> layer;
+    for (int i = 0; i < columns; ++i) {
+        for (int j = 0; j < rows; ++j)
+            layer.emplace_back(release_head_ + (i + 0.5) * dl, top + (j + 1.0) * dl);
+    }
+    append_soil(soil_, layer);
+    start_.insert(start_.end(), layer.begin(), layer.end());
+    mark_.insert(mark_.end(), layer.begin(), layer.end());
+    make_room();
+    height_ = std::max(height_, top + (rows + 0.5) * dl - floor_);
+    resting_windows_ = 0;
+    mark_time_ = time_;
+    stage_start_ = time_;
+    energy_marked_ = false;
+    stage_ended_ = false;
+    ++layers_released_;
 }
 
 /// Judges the motion by how far the particles got since the window opened, so that the trembling of lone

@@ -55,6 +55,10 @@ class Simulation {
     [[nodiscard]] double motion_ended() const { return last_motion_; }
     /// Share of the time that the mass must rest before the run ends, 0 while it moves.
     [[nodiscard]] double rested() const;
+    /// False while the state of stress at release is still sought.
+    [[nodiscard]] bool released() const { return released_; }
+    /// All soil of a staged release let go so far is at rest; the next step lets go the next layer.
+    [[nodiscard]] bool stage_ended() const { return stage_ended_; }
     [[nodiscard]] StateView state() const;
     [[nodiscard]] EnergyBudget energy() const;
     /// Force of the soil on the bed as the pairs carry it, N per metre of width.
@@ -68,6 +72,7 @@ class Simulation {
 
   private:
     Simulation(const Scene& scene, const Packing& packing);
+    void make_room();
     void balance();
     [[nodiscard]] double choose_time_step() const;
     void find_pressure_gradient();
@@ -77,6 +82,8 @@ class Simulation {
     void check_invariants();
     void judge();
     void close_rest_window();
+    void end_at_rest();
+    void release_layer();
     [[nodiscard]] double greatest_displacement() const;
     void end(RunStatus status, std::string detail = {});
 
@@ -84,7 +91,8 @@ class Simulation {
 
     int threads_;
     RunSettings run_;
-    double sin_phi_;
+    double base_strength_;  ///< of a sliding grain on the bed, over its pressure
+    StagedRelease release_;
     BedLine bed_;
     Discretisation discretisation_;
     double length_scale_;  ///< sqrt(S), m
@@ -108,9 +116,15 @@ class Simulation {
     int balance_rounds_ = 0;
     std::vector<double> release_ax_, release_ay_;  ///< acceleration at release as known so far, m/s2
 
+    int layers_released_ = 0;
+    bool stage_ended_ = false;
+    double stage_start_ = 0;   ///< s
+    double release_head_ = 0;  ///< x of the uphill end of the source, m
+
     double time_ = 0;
     double highest_pressure_ = 0;
-    double start_energy_ = 0;  ///< per mass, J/kg
+    double start_energy_ = 0;  ///< at the last release, per mass, J/kg
+    bool energy_marked_ = false;
     double last_motion_ = 0;
     double mark_time_ = 0;
     int resting_windows_ = 0;

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/geometry.h"
 #include "engine/pair_kernels.h"
 
 namespace runout {
@@ -35,6 +36,25 @@ inline Soil soil_at(const std::vector<double>& x, const std::vector<double>& y) 
     std::iota(soil.id.begin(), soil.id.end(), 0);
     soil.aggregate.resize(padded, -1);
     return soil;
+}
+
+/// Adds particles at rest and free of stress, numbered on.
+inline void append_soil(Soil& soil, const std::vector<Vec2>& points) {
+    const auto old_count = static_cast<std::size_t>(soil.count);
+    soil.count += static_cast<int>(points.size());
+    const auto padded = static_cast<std::size_t>(soil.padded());
+    for (auto* field : {&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy}) {
+        field->resize(old_count);
+        field->resize(padded, 0.0);
+    }
+    soil.aggregate.resize(old_count);
+    soil.aggregate.resize(padded, -1);
+    soil.id.resize(padded);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        soil.x[old_count + k] = points[k].x();
+        soil.y[old_count + k] = points[k].y();
+        soil.id[old_count + k] = static_cast<int>(old_count + k);
+    }
 }
 
 }  // namespace runout

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "engine/cell_grid.h"
@@ -134,6 +135,22 @@ double deposit_area(const StateView& state, const std::vector<char>& body) {
             state.discretisation->volume() / (state.density[i] < surface_density ? 1.0 : state.density[i]);
     }
     return area;
+}
+
+double surface_angle(const DepositProfile& profile, double front) {
+    const double start = profile.bins.empty() ? front : profile.bins.front().x - 0.5 * profile.bin_width;
+    double n = 0, sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
+    for (const auto& bin : profile.bins) {
+        if (bin.x < start + 0.25 * (front - start) || bin.x > start + 0.75 * (front - start)) continue;
+        const double y = bin.bed + bin.by_mass;
+        n += 1;
+        sum_x += bin.x;
+        sum_y += y;
+        sum_xx += bin.x * bin.x;
+        sum_xy += bin.x * y;
+    }
+    if (n < 3) return std::numeric_limits<double>::quiet_NaN();
+    return -std::atan((n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x));
 }
 
 double distance_along_bed(const BedLine& bed, double x) {

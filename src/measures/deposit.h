@@ -38,6 +38,11 @@ double mass_front(const StateView& state, double share);
 /// surface).
 double deposit_area(const StateView& state, const std::vector<char>& body);
 
+/// Inclination below the horizontal of the free surface (by mass) in the middle half between the uphill end
+/// and `front`, by least squares, rad; head and toe feel the wall and the bed. NaN with fewer than three bins
+/// there.
+double surface_angle(const DepositProfile& profile, double front);
+
 /// Length along the bed from the toe (the origin) to x, negative uphill of it.
 double distance_along_bed(const BedLine& bed, double x);
 

@@ -11,6 +11,7 @@
 #include "engine/simulation.h"
 #include "measures/deposit.h"
 #include "measures/series.h"
+#include "measures/snapshots.h"
 
 namespace runout {
 namespace {
@@ -50,14 +51,17 @@ double reach_angle(const Vec2& head, const Vec2& margin) {
     return degrees(std::atan2(head.y() - margin.y(), margin.x() - head.x()));
 }
 
+double front_threshold(const Scene& scene) {
+    return scene.run.front_thickness > 0 ? scene.run.front_thickness : 0.03 * std::sqrt(scene.source.area);
+}
+
 Measures measures_at_rest(const Scene& scene, const Simulation& simulation, const DepositProfile& profile,
                           const std::vector<char>& body, double peak_speed) {
     const StateView state = simulation.state();
     const BedLine& bed = *state.bed;
     const Source& source = scene.source;
     Measures m;
-    m.front_thickness_m =
-        scene.run.front_thickness > 0 ? scene.run.front_thickness : 0.03 * std::sqrt(source.area);
+    m.front_thickness_m = front_threshold(scene);
     const double front = contiguous_front(profile, &DepositProfile::Bin::by_top, m.front_thickness_m);
     const double by_mass = contiguous_front(profile, &DepositProfile::Bin::by_mass, m.front_thickness_m);
     const bool stood = simulation.status() == RunStatus::stable;
@@ -80,6 +84,16 @@ Measures measures_at_rest(const Scene& scene, const Simulation& simulation, cons
     m.time_to_rest_s = simulation.motion_ended();
     m.stray_particles = static_cast<double>(std::count(body.begin(), body.end(), 0));
     return m;
+}
+
+StageRow stage_at_rest(const Scene& scene, const Simulation& simulation) {
+    const StateView state = simulation.state();
+    const DepositProfile profile = deposit_profile(state, connected_body(state));
+    const double front = contiguous_front(profile, &DepositProfile::Bin::by_top, front_threshold(scene));
+    double height = 0.0;
+    for (const auto& bin : profile.bins) height = std::max(height, bin.by_top);
+    return {simulation.time(), state.discretisation->volume() * static_cast<double>(state.x.size()),
+            degrees(surface_angle(profile, front)), height, distance_along_bed(*state.bed, front)};
 }
 
 RunWork work_of(const Simulation& simulation) {
@@ -116,12 +130,18 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
     Simulation simulation(scene);
     SeriesRecorder series(simulation.time_scale() / samples_per_time_scale);
     series.sample(simulation, true);
+    SnapshotRecorder snapshots(scene.run.snapshot_times);
     RunResult result;
     double reported = -1.0;
     bool interrupted = false;
     while (simulation.status() == RunStatus::running && !interrupted) {
         simulation.step();
         series.sample(simulation);
+        snapshots.sample(simulation);
+        const bool last_stage = scene.effects.release && simulation.status() != RunStatus::running;
+        if (simulation.stage_ended() || last_stage) {
+            result.stages.push_back(stage_at_rest(scene, simulation));
+        }
         const double elapsed = seconds_since(start);
         if (control.on_progress && elapsed - reported > progress_period_s) {
             reported = elapsed;
@@ -139,6 +159,7 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
     result.measures = measures_at_rest(scene, simulation, profile, body, series.peak_front_speed());
     result.work = work_of(simulation);
     result.series = series.rows();
+    result.snapshots = snapshots.snapshots();
     result.deposit = rows_of(profile, scene.profile);
     for (int p = 0; p < static_cast<int>(Phase::count); ++p) {
         result.phases.push_back(

@@ -28,10 +28,14 @@ struct Companions {
     std::string_view needs;
 };
 
-constexpr std::array<Companions, 3> companions = {{
+constexpr std::array<Companions, 7> companions = {{
     {"section.raster", "section.line"},
     {"section.line", "section.raster"},
     {"section.sampling_m", "section.raster"},
+    {"effects.release.layers", "effects.release.layer_width_m"},
+    {"effects.release.layers", "effects.release.layer_height_m"},
+    {"effects.release.layer_width_m", "effects.release.layers"},
+    {"effects.release.layer_height_m", "effects.release.layers"},
 }};
 
 /// "run.resolution (case.toml, line 12)"

@@ -87,10 +87,31 @@ Polyline points_from(const toml::node& node, const Parameter& parameter, const I
     return points;
 }
 
+std::vector<double> numbers_from(const toml::node& node, const Parameter& parameter,
+                                 const InputPlace& place) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr) throw InputError(place, "is not a list", "valid: " + valid_values(parameter));
+    std::vector<double> numbers;
+    for (const toml::node& entry : *list) {
+        if (!entry.is_number())
+            throw InputError(place, fmt::format("has an entry {} that is not a number", numbers.size() + 1),
+                             "valid: " + valid_values(parameter));
+        numbers.push_back(*entry.value<double>());
+    }
+    return numbers;
+}
+
+/// A value of a kind that is written in brackets.
+Value list_from(const toml::node& node, const Parameter& parameter, const InputPlace& place) {
+    if (parameter.kind == ValueKind::points) return points_from(node, parameter, place);
+    return numbers_from(node, parameter, place);
+}
+
 Value value_from(const toml::node& node, const Parameter& parameter, const InputPlace& place) {
     switch (parameter.kind) {
         case ValueKind::points:
-            return points_from(node, parameter, place);
+        case ValueKind::numbers:
+            return list_from(node, parameter, place);
         case ValueKind::text:
         case ValueKind::choice:
             if (!node.is_string())
@@ -121,11 +142,12 @@ Value value_from(const std::string& text, const Parameter& parameter, const Inpu
         case ValueKind::choice:
             return text;
         case ValueKind::points:
+        case ValueKind::numbers:
             break;
     }
     try {
-        const toml::table parsed = toml::parse("points = " + text);
-        return points_from(*parsed.get("points"), parameter, place);
+        const toml::table parsed = toml::parse("list = " + text);
+        return list_from(*parsed.get("list"), parameter, place);
     } catch (const toml::parse_error&) {
         throw InputError(place, "is not a list", "valid: " + valid_values(parameter));
     }
@@ -155,6 +177,10 @@ class CaseReader {
     void read_section(const std::string& section, const toml::table& table) {
         for (const auto& [key, node] : table) {
             const InputPlace at = place(fmt::format("{}.{}", section, key.str()), key, node);
+            if (const toml::table* inner = node.as_table(); inner != nullptr && is_section(at.key)) {
+                read_section(at.key, *inner);
+                continue;
+            }
             const Parameter& parameter = known_parameter(at);
             assign(spec_, parameter, value_from(node, parameter, at), at);
         }

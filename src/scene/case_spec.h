@@ -30,6 +30,7 @@ struct CaseSpec {
     SectionSpec section;
     SourceSpec source;
     Material material{.friction_angle = std::numeric_limits<double>::quiet_NaN()};  ///< NaN: not given
+    Effects effects;
     RunSettings run;
 
     /// Every key that was given: where, and what stood there. Keys that are absent here have their defaults.

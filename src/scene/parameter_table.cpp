@@ -28,6 +28,7 @@ using Words = std::vector<std::string_view>;
 using SetNumber = void (*)(CaseSpec&, double);
 using SetInteger = void (*)(CaseSpec&, int);
 using SetText = void (*)(CaseSpec&, const std::string&);
+using SetNumbers = void (*)(CaseSpec&, const std::vector<double>&);
 using SetPoints = void (*)(CaseSpec&, const Polyline&);
 
 Parameter number(std::string_view key, std::string_view unit, Range range, std::string_view fallback,
@@ -76,6 +77,24 @@ Parameter points(std::string_view key, std::string_view fallback, std::string_vi
         key, ValueKind::points, "m", {}, {}, fallback, help, {}, [set](CaseSpec& spec, const Value& value) {
             set(spec, std::get<Polyline>(value));
         }};
+}
+
+Parameter numbers(std::string_view key, std::string_view unit, Range range, std::string_view fallback,
+                  std::string_view help, SetNumbers set) {
+    return {key,
+            ValueKind::numbers,
+            unit,
+            range,
+            {},
+            fallback,
+            help,
+            {},
+            [set](CaseSpec& spec, const Value& value) { set(spec, std::get<std::vector<double>>(value)); }};
+}
+
+StagedRelease& release_of(CaseSpec& spec) {
+    if (!spec.effects.release) spec.effects.release.emplace();
+    return *spec.effects.release;
 }
 
 Parameter only_for(std::vector<SourceType> types, Parameter parameter) {
@@ -184,6 +203,23 @@ std::vector<Parameter> material_parameters() {
     };
 }
 
+std::vector<Parameter> effect_parameters() {
+    return {
+        number("effects.base_friction.angle_deg", "deg", from_to_below(0, 80), "off: a rough bed",
+               "Friction angle between soil and bed, where its tangent is below the sine of the soil's own.",
+               [](CaseSpec& spec, double angle) { spec.effects.base_friction = {radians(angle)}; }),
+        integer(
+            "effects.release.layers", between(1, 10000), "off: all at once",
+            "Pouring: number of layers, each let go above the uphill end of the soil when that has come to "
+            "rest.",
+            [](CaseSpec& spec, int count) { release_of(spec).layers = count; }),
+        number("effects.release.layer_width_m", "m", positive, "required with layers", "Width of a layer.",
+               [](CaseSpec& spec, double metres) { release_of(spec).layer_width = metres; }),
+        number("effects.release.layer_height_m", "m", positive, "required with layers", "Height of a layer.",
+               [](CaseSpec& spec, double metres) { release_of(spec).layer_height = metres; }),
+    };
+}
+
 std::vector<Parameter> physical_run_parameters() {
     return {
         word("run.name", {}, "name of the file or of its folder", "Name of the case in tables and reports.",
@@ -196,6 +232,9 @@ std::vector<Parameter> physical_run_parameters() {
         number("run.front_thickness_m", "m", positive, "3 % of sqrt(source area)",
                "The front is where the contiguous deposit gets thinner than this.",
                [](CaseSpec& spec, double metres) { spec.run.front_thickness = metres; }),
+        numbers("run.snapshot_times_s", "s", zero_or_more, "none",
+                "Instants of simulated time at which all particles are stored.",
+                [](CaseSpec& spec, const std::vector<double>& times) { spec.run.snapshot_times = times; }),
     };
 }
 
@@ -224,6 +263,10 @@ std::vector<Parameter> numerical_run_parameters() {
         number("run.pressure_tolerance", "", between(1e-12, 0.1), "0.01",
                "Relative residual at which the pressure equation counts as solved.",
                [](CaseSpec& spec, double tolerance) { spec.run.pressure_tolerance = tolerance; }),
+        integer(
+            "run.lattice_seed", between(0, 1e9), "0",
+            "0: particles start on a regular lattice; else off it at random, to see how much that matters.",
+            [](CaseSpec& spec, int seed) { spec.run.lattice_seed = seed; }),
         integer("run.threads", between(1, 1024), "all cores", "Threads of the run.",
                 [](CaseSpec& spec, int count) { spec.run.threads = count; }),
     };
@@ -231,8 +274,9 @@ std::vector<Parameter> numerical_run_parameters() {
 
 std::vector<Parameter> whole_table() {
     std::vector<Parameter> table;
-    for (const auto& part : {section_parameters(), source_shape_parameters(), source_place_parameters(),
-                             material_parameters(), physical_run_parameters(), numerical_run_parameters()})
+    for (const auto& part :
+         {section_parameters(), source_shape_parameters(), source_place_parameters(), material_parameters(),
+          effect_parameters(), physical_run_parameters(), numerical_run_parameters()})
         table.insert(table.end(), part.begin(), part.end());
     return table;
 }

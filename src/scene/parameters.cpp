@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace runout {
@@ -58,6 +59,13 @@ void check_word(const Parameter& parameter, const std::string& value, const Inpu
         throw InputError(place, "is not known", "valid: " + valid_values(parameter));
 }
 
+/// Rising, so that a reader sees at once what is asked.
+void check_numbers(const Parameter& parameter, const std::vector<double>& values, const InputPlace& place) {
+    for (const double value : values) check_number(parameter, value, place);
+    if (std::ranges::adjacent_find(values, std::greater_equal<>{}) != values.end())
+        throw InputError(place, "is not a rising list", "valid: " + valid_values(parameter));
+}
+
 void check_points(const Polyline& points, const InputPlace& place) {
     for (const Vec2& point : points)
         if (!point.allFinite()) throw InputError(place, "has a coordinate that is not finite", "give metres");
@@ -90,6 +98,7 @@ void assign(CaseSpec& spec, const Parameter& parameter, const Value& value, cons
     if (const double* number = std::get_if<double>(&value)) check_number(parameter, *number, place);
     if (const std::string* word = std::get_if<std::string>(&value)) check_word(parameter, *word, place);
     if (const Polyline* points = std::get_if<Polyline>(&value)) check_points(*points, place);
+    if (const auto* list = std::get_if<std::vector<double>>(&value)) check_numbers(parameter, *list, place);
     parameter.set(spec, value);
     spec.given.insert_or_assign(std::string(parameter.key), place);
 }
@@ -104,6 +113,8 @@ std::string valid_values(const Parameter& parameter) {
             return "a text";
         case ValueKind::points:
             return "a list of [chainage, elevation] pairs in metres";
+        case ValueKind::numbers:
+            return fmt::format("a rising list of numbers{}{}", unit.empty() ? "" : " in", unit);
         case ValueKind::integer:
         case ValueKind::number:
             break;

@@ -13,7 +13,7 @@
 
 namespace runout {
 
-enum class ValueKind { number, integer, text, choice, points };
+enum class ValueKind { number, integer, text, choice, points, numbers };
 
 /// Interval of valid numbers; an end that is not included is excluded.
 struct Range {
@@ -26,14 +26,14 @@ struct Range {
 };
 
 /// A value as read, in the units of the file (degrees, metres).
-using Value = std::variant<double, std::string, Polyline>;
+using Value = std::variant<double, std::string, Polyline, std::vector<double>>;
 
 /// One key of a case file: all that reading, checking and explaining it takes.
 struct Parameter {
     std::string_view key;  ///< "material.friction_angle_deg"
     ValueKind kind;
     std::string_view unit;  ///< "" for pure numbers and words
-    Range range;            ///< of numbers and integers
+    Range range;            ///< of numbers, integers and each of a list of numbers
     std::vector<std::string_view> choices;
     std::string_view fallback;           ///< what holds when the key is absent, in words
     std::string_view help;               ///< one sentence

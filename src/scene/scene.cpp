@@ -110,6 +110,7 @@ Scene make_scene(const CaseSpec& spec) {
             .profile = std::move(site.profile),
             .source = std::move(site.source),
             .material = spec.material,
+            .effects = spec.effects,
             .run = spec.run,
             .assumed = std::move(site.assumed)};
 }
