@@ -8,7 +8,7 @@
 -- A change of the format raises user_version and adds a step to src/store/migrations.cpp.
 
 PRAGMA application_id = 1381322319;  -- the letters RUNO
-PRAGMA user_version = 1;
+PRAGMA user_version = 2;
 
 -- The ground along a section before the failure. Two files with the same ground share one row, so the name
 -- of the file belongs to the run.
@@ -77,7 +77,13 @@ CREATE TABLE scenario (
     friction_iterations  INTEGER NOT NULL,
     pressure_tolerance   REAL NOT NULL,             -- relative residual of the pressure equation
     time_limit_s         REAL NOT NULL,             -- simulated; 0: 60 sqrt(H/g)
-    front_thickness_m    REAL NOT NULL              -- threshold of the contiguous front; 0: from sqrt(S)
+    front_thickness_m    REAL NOT NULL,             -- threshold of the contiguous front; 0: from sqrt(S)
+    lattice_seed         INTEGER NOT NULL DEFAULT 0,     -- 0: regular lattice; else particles start off it at random
+    snapshot_times_s     TEXT NOT NULL DEFAULT '[]',     -- JSON list: instants at which the particles are kept
+    base_friction_angle_deg  REAL,                  -- effect: friction of the base; NULL: absent
+    release_layers           INTEGER,               -- effect: poured layers; NULL: absent
+    release_layer_width_m    REAL,
+    release_layer_height_m   REAL
 ) STRICT;
 CREATE INDEX scenario_of_source ON scenario (source_id);
 
@@ -176,6 +182,32 @@ CREATE TABLE deposit_profile (
     bed_elevation_m      REAL,
     thickness_by_mass_m  REAL,      -- soil area per width of the bin
     thickness_by_top_m   REAL,      -- highest particle of the connected deposit + half a spacing
+    PRIMARY KEY (run_id, row_index)
+) STRICT, WITHOUT ROWID;
+
+-- Particles at one instant, local frame. Each blob is one IEEE-754 float32, little-endian, per particle, in the
+-- order of packing.
+CREATE TABLE snapshot (
+    run_id       INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index    INTEGER NOT NULL,
+    time_s       REAL NOT NULL,
+    x_m          BLOB NOT NULL,
+    y_m          BLOB NOT NULL,
+    vx_m_s       BLOB NOT NULL,
+    vy_m_s       BLOB NOT NULL,
+    pressure_pa  BLOB NOT NULL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT;
+
+-- The heap at rest after each release of a staged run; row 0 is the source alone.
+CREATE TABLE stage (
+    run_id             INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index          INTEGER NOT NULL,
+    time_s             REAL,
+    area_m2            REAL,     -- released so far
+    surface_angle_deg  REAL,     -- of the free surface in the middle half of the deposit
+    deposit_height_m   REAL,
+    run_out_m          REAL,
     PRIMARY KEY (run_id, row_index)
 ) STRICT, WITHOUT ROWID;
 

@@ -25,8 +25,10 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-double cpu_seconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+double cpu_seconds(clockid_t clock) {
+    timespec now{};
+    clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 double thickness_at_toe(const DepositProfile& profile) {
@@ -126,7 +128,8 @@ double fraction_done(const Simulation& simulation) {
 
 RunResult run_scene(const Scene& scene, const RunControl& control) {
     const auto start = Clock::now();
-    const double cpu_start = cpu_seconds();
+    const double thread_start = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
+    const double program_start = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
     Simulation simulation(scene);
     SeriesRecorder series(simulation.time_scale() / samples_per_time_scale);
     series.sample(simulation, true);
@@ -166,7 +169,9 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
             {to_string(static_cast<Phase>(p)), simulation.clock().seconds(static_cast<Phase>(p))});
     }
     result.work.wall_s = seconds_since(start);
-    result.work.cpu_s = cpu_seconds() - cpu_start;
+    // A run of one thread may have others beside it in the same program.
+    result.work.cpu_s = simulation.threads() == 1 ? cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - thread_start
+                                                  : cpu_seconds(CLOCK_PROCESS_CPUTIME_ID) - program_start;
     return result;
 }
 

@@ -35,9 +35,27 @@ constexpr std::array deposit = {
     RealColumn<DepositRow>{"thickness_by_top_m", &DepositRow::thickness_by_top_m},
 };
 
+constexpr std::array stage = {
+    RealColumn<StageRow>{"time_s", &StageRow::time_s},
+    RealColumn<StageRow>{"area_m2", &StageRow::area_m2},
+    RealColumn<StageRow>{"surface_angle_deg", &StageRow::surface_angle_deg},
+    RealColumn<StageRow>{"deposit_height_m", &StageRow::deposit_height_m},
+    RealColumn<StageRow>{"run_out_m", &StageRow::run_out_m},
+};
+
+constexpr std::array snapshot = {
+    SnapshotColumn{"x_m", &Snapshot::x_m},
+    SnapshotColumn{"y_m", &Snapshot::y_m},
+    SnapshotColumn{"vx_m_s", &Snapshot::vx_m_s},
+    SnapshotColumn{"vy_m_s", &Snapshot::vy_m_s},
+    SnapshotColumn{"pressure_pa", &Snapshot::pressure_pa},
+};
+
 // A member that is added to one of these structs and not to its list would be lost without a word.
 static_assert(sizeof(SeriesRow) == series.size() * sizeof(double));
 static_assert(sizeof(DepositRow) == deposit.size() * sizeof(double));
+static_assert(sizeof(StageRow) == stage.size() * sizeof(double));
+static_assert(sizeof(Snapshot) == sizeof(double) + snapshot.size() * sizeof(std::vector<float>));
 
 }  // namespace
 
@@ -49,6 +67,12 @@ std::span<const RealColumn<SeriesRow>> series_columns() {
 }
 std::span<const RealColumn<DepositRow>> deposit_columns() {
     return deposit;
+}
+std::span<const RealColumn<StageRow>> stage_columns() {
+    return stage;
+}
+std::span<const SnapshotColumn> snapshot_columns() {
+    return snapshot;
 }
 
 }  // namespace runout

@@ -25,5 +25,13 @@ struct RealColumn {
 };
 std::span<const RealColumn<SeriesRow>> series_columns();
 std::span<const RealColumn<DepositRow>> deposit_columns();
+std::span<const RealColumn<StageRow>> stage_columns();
+
+/// One array of a snapshot.
+struct SnapshotColumn {
+    const char* name;
+    std::vector<float> Snapshot::*value;
+};
+std::span<const SnapshotColumn> snapshot_columns();
 
 }  // namespace runout

@@ -3,13 +3,44 @@
 #include <SQLiteCpp/Database.h>
 #include <fmt/format.h>
 
+#include <array>
+
 namespace runout {
 
-// Version 1 is the first, so there is nothing to bring up to date yet. A step is SQL in the manner of
-//     {1, "ALTER TABLE scenario ADD COLUMN cohesion_pa REAL NOT NULL DEFAULT 0;"}
-// and db/schema.sql says the same for new files.
+// db/schema.sql says the same for new files; a test holds the two against each other.
 std::span<const Migration> migrations() {
-    return {};
+    static constexpr std::array steps{
+        Migration{1, R"(
+ALTER TABLE scenario ADD COLUMN lattice_seed INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE scenario ADD COLUMN snapshot_times_s TEXT NOT NULL DEFAULT '[]';
+ALTER TABLE scenario ADD COLUMN base_friction_angle_deg REAL;
+ALTER TABLE scenario ADD COLUMN release_layers INTEGER;
+ALTER TABLE scenario ADD COLUMN release_layer_width_m REAL;
+ALTER TABLE scenario ADD COLUMN release_layer_height_m REAL;
+CREATE TABLE snapshot (
+    run_id INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index INTEGER NOT NULL,
+    time_s REAL NOT NULL,
+    x_m BLOB NOT NULL,
+    y_m BLOB NOT NULL,
+    vx_m_s BLOB NOT NULL,
+    vy_m_s BLOB NOT NULL,
+    pressure_pa BLOB NOT NULL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT;
+CREATE TABLE stage (
+    run_id INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index INTEGER NOT NULL,
+    time_s REAL,
+    area_m2 REAL,
+    surface_angle_deg REAL,
+    deposit_height_m REAL,
+    run_out_m REAL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT, WITHOUT ROWID;
+)"},
+    };
+    return steps;
 }
 
 void migrate(SQLite::Database& database, std::span<const Migration> steps) {

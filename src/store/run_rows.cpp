@@ -7,6 +7,8 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <bit>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
@@ -112,6 +114,15 @@ std::vector<Row> select_rows(Database& database, const char* table, long run_id,
     return rows;
 }
 
+// The blobs are little-endian, and so is every machine that this is built for.
+static_assert(std::endian::native == std::endian::little);
+
+std::vector<float> floats_of(const SQLite::Column& column) {
+    std::vector<float> values(static_cast<std::size_t>(column.getBytes()) / sizeof(float));
+    if (!values.empty()) std::memcpy(values.data(), column.getBlob(), values.size() * sizeof(float));
+    return values;
+}
+
 void insert_measures(Database& database, long run_id, const Measures& measures) {
     std::vector<std::string> names = {"run_id"};
     append_names(names, measure_fields());
@@ -194,6 +205,28 @@ void insert_deposit(Database& database, long run_id, const std::vector<DepositRo
     insert_rows(database, "deposit_profile", run_id, rows, deposit_columns());
 }
 
+void insert_stages(Database& database, long run_id, const std::vector<StageRow>& rows) {
+    insert_rows(database, "stage", run_id, rows, stage_columns());
+}
+
+void insert_snapshots(Database& database, long run_id, const std::vector<Snapshot>& snapshots) {
+    std::vector<std::string> names = {"run_id", "row_index", "time_s"};
+    append_names(names, snapshot_columns());
+    Statement statement(database, insert_sql("snapshot", names));
+    for (std::size_t i = 0; i < snapshots.size(); ++i) {
+        int place = 0;
+        statement.bind(++place, run_id);
+        statement.bind(++place, static_cast<long>(i));
+        statement.bind(++place, snapshots[i].time_s);
+        for (const SnapshotColumn& column : snapshot_columns()) {
+            const std::vector<float>& values = snapshots[i].*column.value;
+            statement.bind(++place, values.data(), static_cast<int>(values.size() * sizeof(float)));
+        }
+        statement.exec();
+        statement.reset();
+    }
+}
+
 void insert_phases(Database& database, long run_id, const std::vector<PhaseTime>& rows) {
     Statement statement(database,
                         "INSERT INTO phase_time (run_id, phase_index, phase, wall_s) VALUES (?, ?, ?, ?)");
@@ -213,6 +246,39 @@ std::vector<StoredRun> select_runs(Database& database, long run_id) {
     Statement statement(database, select_runs_sql("WHERE run.run_id = ?"));
     statement.bind(1, run_id);
     return read_runs(statement);
+}
+
+std::optional<long> select_run_of(Database& database, const std::string& scenario_hash) {
+    Statement statement(database,
+                        "SELECT max(run.run_id) FROM run JOIN scenario USING (scenario_id)"
+                        " WHERE scenario_hash = ? AND status <> 'interrupted'");
+    statement.bind(1, scenario_hash);
+    statement.executeStep();
+    const SQLite::Column found = statement.getColumn(0);
+    if (found.isNull()) return std::nullopt;
+    return found.getInt64();
+}
+
+std::vector<Snapshot> select_snapshots(Database& database, long run_id) {
+    std::vector<std::string> names = {"time_s"};
+    append_names(names, snapshot_columns());
+    Statement statement(database, fmt::format("SELECT {} FROM snapshot WHERE run_id = ? ORDER BY row_index",
+                                              fmt::join(names, ", ")));
+    statement.bind(1, run_id);
+    std::vector<Snapshot> snapshots;
+    while (statement.executeStep()) {
+        Snapshot snapshot;
+        int place = 0;
+        snapshot.time_s = statement.getColumn(place++).getDouble();
+        for (const SnapshotColumn& column : snapshot_columns())
+            snapshot.*column.value = floats_of(statement.getColumn(place++));
+        snapshots.push_back(std::move(snapshot));
+    }
+    return snapshots;
+}
+
+std::vector<StageRow> select_stages(Database& database, long run_id) {
+    return select_rows(database, "stage", run_id, stage_columns());
 }
 
 std::vector<SeriesRow> select_series(Database& database, long run_id) {

@@ -76,10 +76,26 @@ std::string source_text(const Source& source) {
     return text.text();
 }
 
-std::string question_text(const Material& material, const RunSettings& run) {
+/// An effect that is absent leaves no text, so that scenarios without it keep their identity when it is
+/// invented.
+void add_effects(CanonicalText& text, const Effects& effects) {
+    const auto& [base_friction, release] = effects;
+    if (base_friction) {
+        const auto& [angle] = *base_friction;
+        text.add("base_friction_angle", angle);
+    }
+    if (release) {
+        const auto& [layers, width, height] = *release;
+        text.add("release_layers", static_cast<double>(layers));
+        text.add("release_layer_width", width);
+        text.add("release_layer_height", height);
+    }
+}
+
+std::string question_text(const Material& material, const Effects& effects, const RunSettings& run) {
     const auto& [density, friction_angle] = material;
     const auto& [spacing, resolution, gravity, courant, smoothing, friction, iterations, tolerance,
-                 time_limit, front_thickness, threads] = run;
+                 time_limit, front_thickness, lattice_seed, snapshot_times, threads] = run;
     CanonicalText text;
     text.add("density", density);
     text.add("friction_angle", friction_angle);
@@ -93,6 +109,9 @@ std::string question_text(const Material& material, const RunSettings& run) {
     text.add("pressure_tolerance", tolerance);
     text.add("time_limit", time_limit);
     text.add("front_thickness", front_thickness);
+    text.add("lattice_seed", static_cast<double>(lattice_seed));
+    for (const double time : snapshot_times) text.add("snapshot_time", time);
+    add_effects(text, effects);
     return text.text();
 }
 
@@ -102,8 +121,8 @@ SceneIdentity scene_identity(const Scene& scene) {
     const std::string section = section_text(scene.profile);
     const std::string source = section + source_text(scene.source);
     // The version stands for the numerics: a release that changes results must not take over the old ones.
-    const std::string scenario =
-        source + question_text(scene.material, scene.run) + "program_version " + program_version() + "\n";
+    const std::string scenario = source + question_text(scene.material, scene.effects, scene.run) +
+                                 "program_version " + program_version() + "\n";
     return {sha256_hex(section), sha256_hex(source), sha256_hex(scenario)};
 }
 

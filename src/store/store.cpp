@@ -45,6 +45,8 @@ long Store::add(const Scene& scene, const RunResult& result) {
         const long run_id = insert_run(database, scenario_row(database, scene), describe_run(scene, result));
         insert_series(database, run_id, result.series);
         insert_deposit(database, run_id, result.deposit);
+        insert_snapshots(database, run_id, result.snapshots);
+        insert_stages(database, run_id, result.stages);
         insert_phases(database, run_id, result.phases);
         transaction.commit();
         return run_id;
@@ -62,6 +64,20 @@ StoredRun Store::run(long run_id) const {
         throw InputError({.file = impl_->path, .line = 0, .key = "run_id", .value = std::to_string(run_id)},
                          "no such run", "`runout table` lists the stored runs");
     return found.front();
+}
+
+std::optional<long> Store::find_run(const std::string& scenario_hash) const {
+    return impl_->with_database(
+        [&](SQLite::Database& database) { return select_run_of(database, scenario_hash); });
+}
+
+std::vector<Snapshot> Store::snapshots(long run_id) const {
+    return impl_->with_database(
+        [=](SQLite::Database& database) { return select_snapshots(database, run_id); });
+}
+
+std::vector<StageRow> Store::stages(long run_id) const {
+    return impl_->with_database([=](SQLite::Database& database) { return select_stages(database, run_id); });
 }
 
 std::vector<SeriesRow> Store::series(long run_id) const {

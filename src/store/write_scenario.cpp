@@ -3,6 +3,7 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/VariadicBind.h>
+#include <fmt/ranges.h>
 
 #include <optional>
 #include <string>
@@ -77,19 +78,40 @@ long insert_source(Database& database, long section_id, const Source& source, co
     return source_id;
 }
 
+/// An absent effect leaves its columns NULL.
+void write_effects(Database& database, long scenario_id, const Effects& effects) {
+    if (effects.base_friction) {
+        Statement statement(database,
+                            "UPDATE scenario SET base_friction_angle_deg = ? WHERE scenario_id = ?");
+        SQLite::bind(statement, degrees(effects.base_friction->angle), scenario_id);
+        statement.exec();
+    }
+    if (effects.release) {
+        Statement statement(database,
+                            "UPDATE scenario SET release_layers = ?, release_layer_width_m = ?,"
+                            " release_layer_height_m = ? WHERE scenario_id = ?");
+        SQLite::bind(statement, effects.release->layers, effects.release->layer_width,
+                     effects.release->layer_height, scenario_id);
+        statement.exec();
+    }
+}
+
 long insert_scenario(Database& database, long source_id, const Scene& scene, const std::string& hash) {
     Statement statement(
         database,
         "INSERT INTO scenario (scenario_hash, source_id, density_kg_m3, friction_angle_deg,"
         " particle_spacing_m, resolution, gravity_m_s2, courant, smoothing_ratio, friction_scheme,"
-        " friction_iterations, pressure_tolerance, time_limit_s, front_thickness_m)"
-        " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        " friction_iterations, pressure_tolerance, time_limit_s, front_thickness_m, lattice_seed,"
+        " snapshot_times_s) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     const RunSettings& run = scene.run;
     SQLite::bind(statement, hash, source_id, scene.material.density, degrees(scene.material.friction_angle),
                  run.particle_spacing, run.resolution, run.gravity, run.courant, run.smoothing_ratio,
                  friction_scheme_name(run.friction), run.friction_iterations, run.pressure_tolerance,
-                 run.time_limit, run.front_thickness);
-    return insert(database, statement);
+                 run.time_limit, run.front_thickness, run.lattice_seed,
+                 fmt::format("[{}]", fmt::join(run.snapshot_times, ", ")));
+    const long scenario_id = insert(database, statement);
+    write_effects(database, scenario_id, scene.effects);
+    return scenario_id;
 }
 
 long section_row(Database& database, const Profile& profile, const std::string& hash) {

@@ -13,7 +13,8 @@ namespace runout {
 struct PlannedRun {
     std::string id;    ///< unique in its case
     std::string file;  ///< relative to the folder of cases: "box-45/case.toml"
-    std::vector<std::pair<std::string, std::string>> set;  ///< key, text
+    /// Key, text. section.file is relative to the folder of the case file, as in the file itself.
+    std::vector<std::pair<std::string, std::string>> set;
 };
 
 using Settings = std::vector<std::pair<std::string, std::string>>;

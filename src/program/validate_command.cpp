@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <thread>
+
+#include "core/input_error.h"
+#include "program/command.h"
+#include "program/interrupt.h"
+#include "report/validation_page.h"
+#include "store/store.h"
+#include "validation/run_suite.h"
+#include "validation/suite.h"
+
+namespace runout {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ValidateArguments {
+    std::vector<std::string> names;
+    std::string cases = "cases";
+    std::string database = "validation.db";
+    std::string page;
+    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    bool quick = false;
+    bool quiet = false;
+};
+
+InputPlace argument(const std::string& option, const std::string& value) {
+    return {.file = option, .line = 0, .key = {}, .value = value};
+}
+
+std::string known_names() {
+    std::string names;
+    for (const ValidationCase& item : validation_cases()) {
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", item.name);
+    }
+    return names;
+}
+
+std::vector<ValidationCase> chosen_cases(const std::vector<std::string>& names) {
+    const auto all = validation_cases();
+    if (names.empty()) return {all.begin(), all.end()};
+    std::vector<ValidationCase> chosen;
+    for (const std::string& name : names) {
+        const auto found =
+            std::ranges::find_if(all, [&](const ValidationCase& item) { return name == item.name; });
+        if (found == all.end())
+            throw InputError(argument("validate", name), "is not a case of the suite",
+                             "valid: " + known_names());
+        chosen.push_back(*found);
+    }
+    return chosen;
+}
+
+/// What would only be found out after all runs.
+void check_places(const ValidateArguments& arguments) {
+    if (!fs::is_directory(arguments.cases))
+        throw InputError(argument("--cases", arguments.cases), "is not a folder",
+                         "give the folder of cases that comes with the program");
+    if (arguments.page.empty()) return;
+    const fs::path folder = fs::absolute(arguments.page).parent_path();
+    if (!fs::is_directory(folder))
+        throw InputError(argument("--output", arguments.page), "lies in a folder that does not exist",
+                         "make " + folder.string());
+}
+
+void write_file(const fs::path& path, const std::string& text) {
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file)
+        throw InputError(argument("--output", path.string()), "cannot be written",
+                         "check permissions and free space");
+}
+
+/// The page and, in a folder of its name beside it, the pictures.
+void write_page(const std::vector<CaseReport>& reports, const ValidateArguments& arguments) {
+    const fs::path page(arguments.page);
+    const fs::path pictures = page.parent_path() / page.stem();
+    fs::create_directories(pictures);
+    for (const auto& [name, picture] : validation_pictures(reports)) write_file(pictures / name, picture);
+    const std::string command = fmt::format(
+        "runout validate{}{} --output {}", arguments.quick ? " --quick" : "",
+        arguments.names.empty() ? "" : fmt::format(" {}", fmt::join(arguments.names, " ")), arguments.page);
+    write_file(page, validation_page(reports, command, page.stem().string()));
+}
+
+bool all_within_bands(const std::vector<CaseReport>& reports) {
+    return std::ranges::all_of(
+        reports, [](const CaseReport& report) { return std::ranges::all_of(report.entries, within_band); });
+}
+
+int validate(const ValidateArguments& arguments) {
+    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
+    const std::vector<ValidationCase> cases = chosen_cases(arguments.names);
+    check_places(arguments);
+    Store store(arguments.database, Store::Mode::write);
+    InterruptWatch interrupt;
+    SuiteOptions options;
+    options.cases_folder = arguments.cases;
+    options.quick = arguments.quick;
+    options.jobs = arguments.jobs;
+    options.interrupt = &interrupt.requested();
+    options.on_run = [](int done, int total, const std::string& name) {
+        spdlog::info("{} of {} runs: {}", done, total, name);
+    };
+    const std::vector<CaseReport> reports = run_suite(cases, store, options);
+    if (reports.empty()) {
+        spdlog::warn("interrupted; finished runs are in {} and will not be repeated", arguments.database);
+        return exit_code::interrupted;
+    }
+    fmt::print("{}", validation_table(reports));
+    if (!arguments.page.empty()) write_page(reports, arguments);
+    return all_within_bands(reports) ? exit_code::success : exit_code::not_a_result;
+}
+
+}  // namespace
+
+void add_validate_command(CLI::App& app, Command& command) {
+    const auto arguments = std::make_shared<ValidateArguments>();
+    CLI::App* sub = app.add_subcommand(
+        "validate", "Hold the program against exact mechanics, the paper and laboratory measurements");
+    sub->add_option("NAME", arguments->names, "Cases of the suite; all if none is named")->type_name("");
+    sub->add_flag("--quick", arguments->quick, "The part of the suite that takes minutes");
+    sub->add_option("--cases", arguments->cases, "Folder of the cases")
+        ->type_name("PATH")
+        ->capture_default_str();
+    sub->add_option("--db", arguments->database,
+                    "Database that takes the runs; what it holds is not repeated")
+        ->type_name("PATH")
+        ->capture_default_str();
+    sub->add_option("-o,--output", arguments->page, "Write a Markdown page, with pictures beside it")
+        ->type_name("PATH");
+    sub->add_option("-j,--jobs", arguments->jobs, "Runs at a time")
+        ->type_name("number")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    sub->add_flag("--quiet", arguments->quiet, "No log but errors");
+    sub->callback([arguments, &command] { command = [arguments] { return validate(*arguments); }; });
+}
+
+}  // namespace runout
