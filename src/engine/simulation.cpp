@@ -302,7 +302,8 @@ void Simulation::release_layer() {
     const double dl = discretisation_.spacing;
     const int columns = std::max(1, static_cast<int>(std::lround(release_.layer_width / dl)));
     const int rows = std::max(1, static_cast<int>(std::lround(release_.layer_height / dl)));
-    double top = bed_.elevation(release_head_);
+    // Not at the head itself, where a wall may stand.
+    double top = bed_.elevation(release_head_ + 0.5 * dl);
     for (int i = 0; i < soil_.count; ++i) {
         if (soil_.x[i] < release_head_ + columns * dl) top = std::max(top, soil_.y[i]);
     }

@@ -10,7 +10,7 @@ namespace runout {
 namespace {
 
 constexpr double spacing = 0.01;
-constexpr double heap_area = 0.12;  // poured after the first column of 0.06 m2
+constexpr double heap_area = 0.09;  // poured after the first column of 0.06 m2
 constexpr double layer_width = 0.15;
 
 /// One series of Fig. 6: soil and thickness of the poured layers.
