@@ -110,6 +110,8 @@ std::string sample_text(const Parameter& parameter) {
             return "a-name";
         case ValueKind::points:
             return "[[1.0, 2.0], [3.0, 4.0], [1, 3]]";
+        case ValueKind::numbers:
+            return "[0.25, 0.5]";
         case ValueKind::integer:
             return "7";
         case ValueKind::number:
@@ -137,6 +139,12 @@ std::string everything(const CaseSpec& c) {
         fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", density, friction_angle, r.particle_spacing,
                     r.resolution, r.gravity, r.courant, r.smoothing_ratio, static_cast<int>(r.friction),
                     r.friction_iterations, r.pressure_tolerance, r.time_limit, r.front_thickness, r.threads);
+    text += fmt::format("|{}|{}", r.lattice_seed, fmt::join(r.snapshot_times, " "));
+    const Effects& e = c.effects;
+    if (e.base_friction) text += fmt::format("|base {}", e.base_friction->angle);
+    if (e.release)
+        text += fmt::format("|release {} {} {}", e.release->layers, e.release->layer_width,
+                            e.release->layer_height);
     return text;
 }
 

@@ -4,7 +4,6 @@
 
 namespace runout {
 
-ValidationCase slab_case();
 ValidationCase silo_case();
 ValidationCase dam_break_case();
 ValidationCase similarity_case();

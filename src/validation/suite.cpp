@@ -6,6 +6,7 @@
 #include "validation/mechanics.h"
 #include "validation/numerics.h"
 #include "validation/poured_heap.h"
+#include "validation/slab.h"
 #include "validation/slopes.h"
 
 namespace runout {

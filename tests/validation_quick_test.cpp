@@ -1,0 +1,51 @@
+// The quick part of the validation suite: every entry that has a band lies in it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "validation/run_suite.h"
+#include "validation/suite.h"
+
+namespace runout {
+namespace {
+
+class QuickValidation : public testing::TestWithParam<const char*> {};
+
+TEST_P(QuickValidation, LiesInItsBands) {
+    const auto all = validation_cases();
+    const auto item = std::find_if(all.begin(), all.end(),
+                                   [](const ValidationCase& c) { return std::string(c.name) == GetParam(); });
+    ASSERT_NE(item, all.end());
+    const std::string path = testing::TempDir() + "quick-" + GetParam() + ".db";
+    std::filesystem::remove(path);
+    SuiteOptions options;
+    options.cases_folder = RUNOUT_SOURCE_DIR "/cases";
+    options.quick = true;
+    Store store(path, Store::Mode::write);
+    const auto reports = run_suite({&*item, 1}, store, options);
+    ASSERT_EQ(reports.size(), 1U);
+    ASSERT_FALSE(reports[0].entries.empty());
+    for (const ValidationEntry& entry : reports[0].entries) {
+        EXPECT_TRUE(within_band(entry)) << entry.quantity << ": computed " << entry.computed << ", reference "
+                                        << entry.reference << ", accepted " << entry.accepted;
+    }
+}
+
+std::vector<const char*> case_names() {
+    std::vector<const char*> names;
+    for (const ValidationCase& item : validation_cases()) names.push_back(item.name);
+    return names;
+}
+
+std::string test_name(const testing::TestParamInfo<const char*>& info) {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, QuickValidation, testing::ValuesIn(case_names()), test_name);
+
+}  // namespace
+}  // namespace runout
