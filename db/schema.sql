@@ -78,8 +78,8 @@ CREATE TABLE scenario (
     pressure_tolerance   REAL NOT NULL,             -- relative residual of the pressure equation
     time_limit_s         REAL NOT NULL,             -- simulated; 0: 60 sqrt(H/g)
     front_thickness_m    REAL NOT NULL,             -- threshold of the contiguous front; 0: from sqrt(S)
-    lattice_seed         INTEGER NOT NULL DEFAULT 0,     -- 0: regular lattice; else particles start off it at random
-    snapshot_times_s     TEXT NOT NULL DEFAULT '[]',     -- JSON list: instants at which the particles are kept
+    lattice_seed         INTEGER NOT NULL DEFAULT 0,   -- 0: regular lattice; else start off it at random
+    snapshot_times_s     TEXT NOT NULL DEFAULT '[]',   -- JSON list of the instants to keep the particles of
     base_friction_angle_deg  REAL,                  -- effect: friction of the base; NULL: absent
     release_layers           INTEGER,               -- effect: poured layers; NULL: absent
     release_layer_width_m    REAL,
@@ -185,8 +185,8 @@ CREATE TABLE deposit_profile (
     PRIMARY KEY (run_id, row_index)
 ) STRICT, WITHOUT ROWID;
 
--- Particles at one instant, local frame. Each blob is one IEEE-754 float32, little-endian, per particle, in the
--- order of packing.
+-- Particles at one instant, local frame. Each blob is one IEEE-754 float32, little-endian, per particle, in
+-- the order of packing. With a rowid, because blobs this large make a slow tree of keys.
 CREATE TABLE snapshot (
     run_id       INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
     row_index    INTEGER NOT NULL,
@@ -205,7 +205,7 @@ CREATE TABLE stage (
     row_index          INTEGER NOT NULL,
     time_s             REAL,
     area_m2            REAL,     -- released so far
-    surface_angle_deg  REAL,     -- of the free surface in the middle half of the deposit
+    surface_angle_deg  REAL,     -- of the free surface in the middle part of the deposit
     deposit_height_m   REAL,
     run_out_m          REAL,
     PRIMARY KEY (run_id, row_index)

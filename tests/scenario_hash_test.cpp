@@ -52,6 +52,26 @@ TEST(ScenarioHash, ChangesWithEverythingThatDeterminesTheResult) {
         {"iterations", [](Scene& s) { s.run.friction_iterations = 6; }},
         {"tolerance", [](Scene& s) { s.run.pressure_tolerance = 1e-3; }},
         {"time limit", [](Scene& s) { s.run.time_limit = 10; }},
+        {"lattice", [](Scene& s) { s.run.lattice_seed = 1; }},
+        {"snapshots", [](Scene& s) { s.run.snapshot_times = {0.5}; }},
+        {"base friction", [](Scene& s) { s.effects.base_friction = {0.3}; }},
+        {"base angle", [](Scene& s) { s.effects.base_friction = {0.4}; }},
+        {"release",
+         [](Scene& s) {
+             s.effects.release = {3, 0.1, 0.2};
+         }},
+        {"layers",
+         [](Scene& s) {
+             s.effects.release = {4, 0.1, 0.2};
+         }},
+        {"layer width",
+         [](Scene& s) {
+             s.effects.release = {3, 0.3, 0.2};
+         }},
+        {"layer height",
+         [](Scene& s) {
+             s.effects.release = {3, 0.1, 0.3};
+         }},
         {"front thickness", [](Scene& s) { s.run.front_thickness = 0.1; }},
     };
     std::vector<std::string> hashes = {scenario_hash(example_scene())};

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <set>
 #include <thread>
 
 #include "store/database.h"
@@ -26,7 +27,7 @@ TEST_F(StoreTest, ARunThatCannotBeStoredLeavesNothing) {
     Store store(path, Store::Mode::write);
     EXPECT_THROW(store.add(example_scene(), twice), std::exception);
     for (const char* table : {"section", "section_point", "source", "source_point", "scenario", "run",
-                              "measure", "series", "deposit_profile", "phase_time"})
+                              "measure", "series", "deposit_profile", "snapshot", "stage", "phase_time"})
         EXPECT_EQ(count(table), 0) << table;
     store.add(example_scene(), example_result());
     EXPECT_EQ(count("run"), 1) << "the store goes on after a failure";
@@ -211,8 +212,8 @@ TEST_F(ForeignFile, GeoPackage) {
 
 TEST_F(ForeignFile, NewerVersion) {
     add(example_scene(), example_result());
-    raw().exec("PRAGMA user_version = 2");
-    expect_refused("is of database version 2, written by a newer Runout; this Runout knows versions up to 1");
+    raw().exec("PRAGMA user_version = 3");
+    expect_refused("is of database version 3, written by a newer Runout; this Runout knows versions up to 2");
 }
 
 TEST_F(ForeignFile, ImpossibleVersion) {
@@ -339,6 +340,68 @@ TEST_F(StoreTest, MigrationsGoStepByStepFromWhereTheFileStands) {
     EXPECT_EQ(count("step"), 2);
     migrate(database, steps);
     EXPECT_EQ(count("step"), 2) << "a step is never taken twice";
+}
+
+std::set<std::string> texts(SQLite::Database& database, const char* query) {
+    SQLite::Statement statement(database, query);
+    std::set<std::string> found;
+    while (statement.executeStep()) found.insert(statement.getColumn(0).getString());
+    return found;
+}
+
+/// The format of a file as SQLite understands it, comments and spaces apart: every column with its place,
+/// type and default, every kind of table, every reference, every index and view.
+std::set<std::string> format_of(SQLite::Database& database) {
+    std::set<std::string> format =
+        texts(database,
+              "SELECT printf('%s.%s place %d %s notnull %d default %s key %d', t.name, c.name, c.cid, c.type,"
+              " c.\"notnull\", c.dflt_value, c.pk) FROM pragma_table_list t, pragma_table_info(t.name) c"
+              " WHERE t.name NOT LIKE 'sqlite_%'");
+    format.merge(texts(database,
+                       "SELECT printf('%s %s: strict %d, without rowid %d', type, name, strict, wr)"
+                       " FROM pragma_table_list WHERE name NOT LIKE 'sqlite_%'"));
+    format.merge(texts(database,
+                       "SELECT printf('%s.%s references %s, on delete %s', t.name, f.\"from\", f.\"table\","
+                       " f.on_delete) FROM pragma_table_list t, pragma_foreign_key_list(t.name) f"));
+    format.merge(texts(database, "SELECT type || ' ' || name FROM sqlite_schema WHERE type <> 'table'"));
+    return format;
+}
+
+/// What a program of version 1 would have written: the format as it is now without what version 2 added.
+void take_back_to_version_one(SQLite::Database& database) {
+    database.exec("DROP TABLE snapshot; DROP TABLE stage; PRAGMA user_version = 1");
+    for (const char* column : {"lattice_seed", "snapshot_times_s", "base_friction_angle_deg",
+                               "release_layers", "release_layer_width_m", "release_layer_height_m"})
+        database.exec(std::string("ALTER TABLE scenario DROP COLUMN ") + column);
+}
+
+TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
+    const RunResult result = example_result();
+    const long id = add(example_scene(), result);
+    const std::set<std::string> wanted = [this] {
+        SQLite::Database file = raw();
+        std::set<std::string> format = format_of(file);
+        take_back_to_version_one(file);
+        EXPECT_NE(format_of(file), format);
+        return format;
+    }();
+    EXPECT_TRUE(contains(refusal_to_open(path, Store::Mode::read), "was written by an older Runout"));
+
+    Store store(path, Store::Mode::write);
+    SQLite::Database file = raw();
+    EXPECT_EQ(format_of(file), wanted);
+    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 2);
+    EXPECT_EQ(store.run(id).name, example_scene().name);
+    EXPECT_EQ(store.run(id).measures.run_out_m, result.measures.run_out_m);
+    EXPECT_EQ(store.series(id).size(), result.series.size());
+    EXPECT_TRUE(store.snapshots(id).empty());
+    EXPECT_TRUE(store.stages(id).empty());
+    EXPECT_EQ(count("scenario WHERE lattice_seed = 0 AND snapshot_times_s = '[]'"
+                    " AND base_friction_angle_deg IS NULL AND release_layers IS NULL"),
+              1);
+    const long second = store.add(example_scene(), result);
+    EXPECT_EQ(store.snapshots(second).size(), result.snapshots.size());
+    EXPECT_EQ(store.stages(second).size(), result.stages.size());
 }
 
 TEST_F(StoreTest, MigrationsLeadToTheVersionOfTheSchema) {

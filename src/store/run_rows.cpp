@@ -123,6 +123,12 @@ std::vector<float> floats_of(const SQLite::Column& column) {
     return values;
 }
 
+/// SQLite takes a null pointer for NULL, and an empty vector may have one.
+void bind_floats(Statement& statement, int place, const std::vector<float>& values) {
+    const void* bytes = values.empty() ? static_cast<const void*>("") : values.data();
+    statement.bind(place, bytes, static_cast<int>(values.size() * sizeof(float)));
+}
+
 void insert_measures(Database& database, long run_id, const Measures& measures) {
     std::vector<std::string> names = {"run_id"};
     append_names(names, measure_fields());
@@ -218,10 +224,8 @@ void insert_snapshots(Database& database, long run_id, const std::vector<Snapsho
         statement.bind(++place, run_id);
         statement.bind(++place, static_cast<long>(i));
         statement.bind(++place, snapshots[i].time_s);
-        for (const SnapshotColumn& column : snapshot_columns()) {
-            const std::vector<float>& values = snapshots[i].*column.value;
-            statement.bind(++place, values.data(), static_cast<int>(values.size() * sizeof(float)));
-        }
+        for (const SnapshotColumn& column : snapshot_columns())
+            bind_floats(statement, ++place, snapshots[i].*column.value);
         statement.exec();
         statement.reset();
     }

@@ -109,7 +109,7 @@ std::string question_text(const Material& material, const Effects& effects, cons
     text.add("pressure_tolerance", tolerance);
     text.add("time_limit", time_limit);
     text.add("front_thickness", front_thickness);
-    text.add("lattice_seed", static_cast<double>(lattice_seed));
+    if (lattice_seed != 0) text.add("lattice_seed", static_cast<double>(lattice_seed));
     for (const double time : snapshot_times) text.add("snapshot_time", time);
     add_effects(text, effects);
     return text.text();

@@ -9,6 +9,8 @@ namespace runout::run_out_columns {
 
 inline constexpr double root_area = 0.2;  ///< sqrt(S) of every column, m
 inline constexpr double kumar_friction_angle = 22.2;
+inline constexpr double beads_friction_angle =
+    23.8;  ///< from the repose of Lajeunesse's beads, asin(tan 22 deg)
 
 std::vector<double> aspects(bool quick);
 std::vector<double> friction_angles(bool quick);
@@ -35,6 +37,8 @@ Spread spread_of(const CaseRuns& runs, double friction_angle, const std::vector<
 /// columns that move as a whole, and flatter ones are long because they were.
 std::vector<Vec2> eq10_points(const Spread& spread);
 
+/// What the table does not say; `measured` are the run-outs of Lajeunesse et al.
+void add_remarks(CaseReport& report, const std::vector<Spread>& spreads, const std::vector<Vec2>& measured);
 void add_figures(CaseReport& report, const CaseRuns& runs, const std::vector<Spread>& spreads,
                  const std::string& folder);
 

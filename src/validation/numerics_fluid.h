@@ -37,6 +37,10 @@ struct Cloud {
     Neighbours n;
 };
 
+/// First moment of the kernel's gradient over the full lattice, 1 in the limit of many neighbours: what the
+/// plain gradient multiplies a slope by.
+double lattice_moment(const Discretisation& d);
+
 /// A bed line so far away that nobody sees it.
 BedLine no_bed();
 

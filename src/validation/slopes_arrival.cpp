@@ -9,20 +9,13 @@ namespace runout::slopes {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
-constexpr double company_distance = 1.6;  // spacings, the link of the deposit's own connection
-constexpr int least_company = 3;
+constexpr double first_share = 0.001;   // of the soil, that counts as its first
+constexpr std::size_t first_least = 3;  // particles: one alone may have been thrown out
 constexpr double share_of_way = 0.98;
 constexpr double least_zone = 0.01;
 
 double speed_of(const Snapshot& s, std::size_t i) {
     return std::hypot(s.vx_m_s[i], s.vy_m_s[i]);
-}
-
-bool has_company(const Snapshot& s, std::size_t i, double distance) {
-    int others = -1;  // itself
-    for (std::size_t j = 0; j < s.x_m.size() && others < least_company; ++j)
-        if (std::hypot(s.x_m[i] - s.x_m[j], s.y_m[i] - s.y_m[j]) <= distance) ++others;
-    return others >= least_company;
 }
 
 /// Indices by rising value.
@@ -33,10 +26,14 @@ std::vector<std::size_t> sorted_by(const std::vector<float>& value) {
     return order;
 }
 
-double lowest(const Snapshot& s, double spacing) {
-    for (const std::size_t i : sorted_by(s.y_m))
-        if (has_company(s, i, company_distance * spacing)) return s.y_m[i];
-    return never;
+/// Height below which the first soil lies.
+double lowest(const Snapshot& s) {
+    const auto share = static_cast<std::size_t>(first_share * static_cast<double>(s.y_m.size()));
+    std::vector<float> y = s.y_m;
+    const std::size_t place = std::max(first_least, share) - 1;
+    if (place >= y.size()) return never;
+    std::ranges::nth_element(y, y.begin() + static_cast<long>(place));
+    return y[place];
 }
 
 /// Mean speed of the soil with `from` <= x < `to`; nothing where that is hardly any.
@@ -96,9 +93,9 @@ double mean_speed(const Snapshot& s, const std::vector<std::size_t>& order, std:
 double first_on_bed(const std::vector<Snapshot>& snapshots, double spacing) {
     double before = never, y_before = never, fall = never;
     for (const Snapshot& s : snapshots) {
-        const double y = lowest(s, spacing);
+        const double y = lowest(s);
         if (y <= spacing)
-            return std::min(s.time_s, before + (y_before - spacing) / fall);  // NaN unless seen falling
+            return std::isnan(fall) ? never : std::min(s.time_s, before + (y_before - spacing) / fall);
         fall = (y_before - y) / (s.time_s - before);
         before = s.time_s;
         y_before = y;

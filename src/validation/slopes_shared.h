@@ -9,7 +9,7 @@ namespace runout::slopes {
 
 /// What a number is held against.
 struct Reference {
-    std::string origin;
+    std::string origin = "-";  ///< none: only reported
     double value = ValidationEntry::none;
     double accepted = ValidationEntry::none;
 };
