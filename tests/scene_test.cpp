@@ -474,23 +474,31 @@ TEST_F(SceneTest, SpacingsThatMakeTooFewOrTooManyParticles) {
 
 // --- what is shipped
 
-void expect_sound_case(const fs::path& folder) {
-    SCOPED_TRACE(folder);
-    EXPECT_TRUE(fs::exists(folder / "README.md"));
+void expect_sound_case(const fs::path& file) {
+    SCOPED_TRACE(file);
     Scene scene;
-    const std::string said =
-        input_error([&] { scene = make_scene(read_case((folder / "case.toml").string())); });
+    const std::string said = input_error([&] { scene = make_scene(read_case(file.string())); });
     ASSERT_EQ(said, "");
-    EXPECT_EQ(scene.name, folder.filename().string());
+    const std::string folder = file.parent_path().filename().string();
+    EXPECT_EQ(scene.name.substr(0, scene.name.find('-')), folder.substr(0, folder.find('-')));
     EXPECT_TRUE(scene.assumed.empty());
     EXPECT_GT(scene.source.area, 0);
 }
 
+/// A folder of the validation that makes no run has no case file; `numerics` is the only one.
 TEST(ShippedCases, AllMakeScenes) {
     int count = 0;
-    for (const auto& entry : fs::directory_iterator(fs::path(RUNOUT_SOURCE_DIR) / "cases")) {
-        expect_sound_case(entry.path());
-        ++count;
+    for (const auto& folder : fs::directory_iterator(fs::path(RUNOUT_SOURCE_DIR) / "cases")) {
+        SCOPED_TRACE(folder.path());
+        EXPECT_TRUE(fs::exists(folder.path() / "README.md"));
+        int files = 0;
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            if (entry.path().extension() != ".toml") continue;
+            expect_sound_case(entry.path());
+            ++files;
+        }
+        EXPECT_TRUE(files > 0 || folder.path().filename() == "numerics");
+        count += files;
     }
     EXPECT_GE(count, 5);
 }

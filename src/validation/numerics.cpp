@@ -41,6 +41,14 @@ ValidationEntry error_entry(std::string quantity, double computed, double accept
                  std::move(resolution), std::move(remark));
 }
 
+void add_errors(CaseReport& report, const Refinement& refinement, const std::string& remark) {
+    for (const Vec2& e : refinement.errors) {
+        const std::string resolution = fmt::format("L/dl = {:.0f}", 1 / e.x());
+        report.entries.push_back(error_entry(refinement.label + ", relative L2 error, " + resolution, e.y(),
+                                             ValidationEntry::none, resolution, remark));
+    }
+}
+
 void add_order(CaseReport& report, const Refinement& refinement, double theory, double accepted,
                const std::string& remark) {
     const double coarse = refinement.errors.front().x();
@@ -48,11 +56,7 @@ void add_order(CaseReport& report, const Refinement& refinement, double theory, 
     report.entries.push_back(exact(refinement.label + ", observed order", theory, refinement.order(),
                                    DeviationKind::absolute, accepted,
                                    fmt::format("L/dl = {:.0f} to {:.0f}", 1 / coarse, 1 / fine), remark));
-    for (const Vec2& e : refinement.errors) {
-        const std::string resolution = fmt::format("L/dl = {:.0f}", 1 / e.x());
-        report.entries.push_back(error_entry(refinement.label + ", relative L2 error, " + resolution, e.y(),
-                                             ValidationEntry::none, resolution));
-    }
+    add_errors(report, refinement);
 }
 
 Figure order_figure(const std::string& name, const std::string& title, const std::vector<Refinement>& all) {
@@ -64,11 +68,9 @@ Figure order_figure(const std::string& name, const std::string& title, const std
     figure.logarithmic_x = true;
     for (const Refinement& refinement : all) {
         Curve curve;
+        curve.style = Curve::Style::line;
         curve.label = fmt::format("{}: order {:.2f}", refinement.label, refinement.order());
         for (const Vec2& e : refinement.errors) curve.points.emplace_back(e.x(), std::log10(e.y()));
-        figure.curves.push_back(curve);
-        curve.style = Curve::Style::markers;
-        curve.label.clear();
         figure.curves.push_back(curve);
     }
     return figure;

@@ -16,8 +16,9 @@ struct Refinement {
     [[nodiscard]] double order() const;
 };
 
-/// Adds the observed order, held to the theoretical one to within `accepted`, and the error at the finest
-/// spacing, which is not judged.
+/// Adds the error at each spacing, which is not judged.
+void add_errors(CaseReport& report, const Refinement& refinement, const std::string& remark = {});
+/// Adds the observed order, held to the theoretical one to within `accepted`, and the errors.
 void add_order(CaseReport& report, const Refinement& refinement, double theory, double accepted,
                const std::string& remark = {});
 

@@ -40,7 +40,9 @@ std::vector<Vec2> lattice(double spacing, const Vec2& lower, const Vec2& upper) 
 
 void jitter(std::vector<Vec2>& points, double spacing, double share, unsigned seed) {
     std::mt19937 random(seed);  // not a distribution of the library: those differ from one to the next
-    const auto move = [&] { return share * spacing * (2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0); };
+    const auto move = [&] {
+        return share * spacing * (2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0);
+    };
     for (Vec2& p : points) {
         const double dx = move();
         p += Vec2{dx, move()};

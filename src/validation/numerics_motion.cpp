@@ -168,27 +168,32 @@ void check_drop(CaseReport& report, bool quick) {
     figure.x_label = "t A0";
     figure.y_label = "semi-axis / R";
     const DropRun& finest = runs.back();
-    figure.curves = {
-        curve_of("exact", Curve::Style::line, finest.exact_a),
-        curve_of("", Curve::Style::line, finest.exact_b),
-        curve_of(fmt::format("lattice at 45 deg, R/dl = {}", finest.cells), Curve::Style::markers, finest.a),
-        curve_of("", Curve::Style::markers, finest.b),
-        curve_of(fmt::format("lattice along the axes, R/dl = {}", aligned.cells), Curve::Style::dashed,
-                 aligned.a),
-        curve_of("", Curve::Style::dashed, aligned.b)};
+    const std::string turned = fmt::format("lattice at 45 deg, R/dl = {}, ", finest.cells);
+    const std::string along = fmt::format("lattice along the axes, R/dl = {}, ", aligned.cells);
+    figure.curves = {curve_of("exact, long", Curve::Style::line, finest.exact_a),
+                     curve_of("exact, short", Curve::Style::line, finest.exact_b),
+                     curve_of(turned + "long", Curve::Style::markers, finest.a),
+                     curve_of(turned + "short", Curve::Style::markers, finest.b),
+                     curve_of(along + "long", Curve::Style::dashed, aligned.a),
+                     curve_of(along + "short", Curve::Style::dashed, aligned.b)};
     report.figures.push_back(figure);
 }
 
 void check_vortex(CaseReport& report, bool quick) {
     Refinement decay{"vortex, loss of kinetic energy in half a turn", {}};
     Refinement error{"vortex, velocity after half a turn", {}};
-    for (const int cells : quick ? std::vector<int>{16, 24, 32} : std::vector<int>{16, 24, 32, 48, 64}) {
+    double reynolds = 0.0;
+    for (const int cells : quick ? std::vector<int>{16, 24, 32} : std::vector<int>{16, 24, 32, 48}) {
         const VortexRun run = run_vortex(cells);
         decay.errors.emplace_back(1.0 / cells, run.decay);
         error.errors.emplace_back(1.0 / cells, run.error);
+        reynolds = -16 * pi * pi * half_turn / std::log(1 - run.decay);
     }
-    add_order(report, decay, 1.0, 0.3);
-    add_order(report, error, 1.0, 0.3);
+    add_order(report, decay, 1.0, 0.3, "exact: no loss at all");
+    add_errors(report, error);
+    report.entries.push_back(error_entry("vortex, Reynolds number of a fluid with the same loss", reynolds,
+                                         ValidationEntry::none,
+                                         fmt::format("L/dl = {:.0f}", 1 / decay.errors.back().x())));
     report.figures.push_back(order_figure("vortex", "What half a turn takes from a vortex", {decay, error}));
 }
 

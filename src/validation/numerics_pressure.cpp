@@ -14,6 +14,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double tolerance = 1e-8;
 constexpr int passes = 60;
+// The solver imposes rho g dl / 4 on boundary particles that have one or two soil neighbours, here where the
+// surface meets the walls. There is no weight in these fields, so it must be next to nothing.
+constexpr double no_gravity = 1e-9;
 
 /// Unit box with open top, filled to the brim.
 Cloud full_box(int cells) {
@@ -65,7 +68,7 @@ double laplacian_ratio(const Discretisation& d) {
 /// With dt = rho the velocity v* = grad phi asks for the pressure phi. L2 error of p over `ratio`.
 double manufactured_error(int cells, double ratio) {
     Cloud cloud = full_box(cells);
-    PressureSolver solver(cloud.d, 1.0, 1.0, tolerance, 1);
+    PressureSolver solver(cloud.d, no_gravity, 1.0, tolerance, 1);
     std::vector<double> vx, vy;
     fill(cloud, 0.0, vx, vy);
     solver.solve(cloud.n, cloud.soil, cloud.wall, vx, vy, {density, 0.0, false});
@@ -82,7 +85,7 @@ double manufactured_error(int cells, double ratio) {
 /// v + grad phi less v, over v.
 double projection_error(int cells, int count) {
     Cloud cloud = full_box(cells);
-    PressureSolver solver(cloud.d, 1.0, 1.0, tolerance, 1);
+    PressureSolver solver(cloud.d, no_gravity, 1.0, tolerance, 1);
     std::vector<double> vx, vy, gx, gy;
     fill(cloud, 1.0, vx, vy);
     for (int k = 0; k < count; ++k)
@@ -104,7 +107,8 @@ void check_pressure(CaseReport& report, bool quick) {
     report.entries.push_back(exact("divergence of the gradient over the Laplacian of eq. 5, long waves", 1.0,
                                    ratio, DeviationKind::absolute, 0.02, "h = 1.3 dl",
                                    "eta = 0.1 h; the incremental projection works it off"));
-    const std::vector<int> resolutions = quick ? std::vector<int>{20, 40, 80} : std::vector<int>{20, 40, 80, 160};
+    const std::vector<int> resolutions =
+        quick ? std::vector<int>{20, 40, 80} : std::vector<int>{20, 40, 80, 160};
     Refinement pressure{"pressure, manufactured solution", {}};
     Refinement once{"projection of v + grad phi, one pass", {}};
     Refinement often{fmt::format("projection of v + grad phi, {} passes", passes), {}};
@@ -114,7 +118,7 @@ void check_pressure(CaseReport& report, bool quick) {
         if (cells <= 80) often.errors.emplace_back(1.0 / cells, projection_error(cells, passes));
     }
     add_order(report, pressure, 1.0, 0.25, "against phi times the ratio of the operators");
-    add_order(report, once, 1.0, 0.25);
+    add_errors(report, once, "what the next steps of the incremental projection work off");
     add_order(report, often, 1.0, 0.25);
     report.figures.push_back(order_figure("pressure", "Error of the pressure equation in a box with open top",
                                           {pressure, once, often}));
