@@ -283,9 +283,10 @@ TEST(Profile, ShippedSectionsAreCutsWithRoomToRunOut) {
         const Profile p = read_profile_csv(entry.path().string(), {});
         const double height = p.ground[p.crest].y();
         EXPECT_GT(height, 0);
-        if (is_cut(entry.path().stem().string()))
+        if (is_cut(entry.path().stem().string())) {
             EXPECT_GE(p.ground.back().x(),
                       (entry.path().stem().string().starts_with("cut") ? 6 : 3) * height);
+        }
     }
     EXPECT_GE(sections, 10);
 }

@@ -19,16 +19,16 @@ enum class DeviationKind {
 struct ValidationEntry {
     static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-    std::string quantity;  ///< with its unit: "front, m"
-    std::string held_to;   ///< origin of the reference: "Lube et al. 2005", "exact"
+    std::string quantity{};  ///< with its unit: "front, m"
+    std::string held_to{};   ///< origin of the reference: "Lube et al. 2005", "exact"
     double reference = none;
     double computed = none;
     DeviationKind kind = DeviationKind::relative;
-    double accepted = none;  ///< greatest |deviation|; NaN: reported without judgement
-    double scatter = none;   ///< standard deviation over jittered lattices, unit of `computed`
-    double error = none;     ///< numerical error bar of `computed`, same unit
-    std::string resolution;  ///< "sqrt(S)/dl = 30", "dl = 2 mm, 5,000 particles"
-    std::string remark;      ///< what a reader must know; empty mostly
+    double accepted = none;    ///< greatest |deviation|; NaN: reported without judgement
+    double scatter = none;     ///< standard deviation over jittered lattices, unit of `computed`
+    double error = none;       ///< numerical error bar of `computed`, same unit
+    std::string resolution{};  ///< "sqrt(S)/dl = 30", "dl = 2 mm, 5,000 particles"
+    std::string remark{};      ///< what a reader must know; empty mostly
 };
 
 double deviation(const ValidationEntry& entry);
@@ -38,28 +38,28 @@ bool within_band(const ValidationEntry& entry);
 /// Points of one curve of a figure, in its units.
 struct Curve {
     enum class Style { line, dashed, markers };
-    std::string label;
+    std::string label{};
     Style style = Style::line;
-    std::vector<Vec2> points;
+    std::vector<Vec2> points{};
 };
 
 /// A chart of the validation page.
 struct Figure {
-    std::string name;  ///< stem of its file, unique in the case: "profile"
-    std::string title;
-    std::string x_label, y_label;  ///< with units
-    std::vector<Curve> curves;
+    std::string name{};  ///< stem of its file, unique in the case: "profile"
+    std::string title{};
+    std::string x_label{}, y_label{};  ///< with units
+    std::vector<Curve> curves{};
     bool equal_scales = false;  ///< one metre is as long on both axes
     bool logarithmic_x = false;
 };
 
 /// What validation says of one case.
 struct CaseReport {
-    std::string name;   ///< folder under cases/
-    std::string title;  ///< one line
-    std::vector<ValidationEntry> entries;
-    std::vector<Figure> figures;
-    std::vector<std::string> remarks;  ///< sentences below the table, such as a fit with its confidence
+    std::string name{};   ///< folder under cases/
+    std::string title{};  ///< one line
+    std::vector<ValidationEntry> entries{};
+    std::vector<Figure> figures{};
+    std::vector<std::string> remarks{};  ///< sentences below the table, such as a fit with its confidence
 };
 
 }  // namespace runout

@@ -13,7 +13,6 @@ namespace {
 constexpr double g = 9.81;
 
 constexpr double slab_spacing = 0.005;
-constexpr double slab_length = 1.5;
 constexpr int slab_columns = 300;
 constexpr double slab_friction_deg = 38.0;
 constexpr const char* slab_instants = "[0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09]";

@@ -1,3 +1,5 @@
+#include "validation/slopes_boxes.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,25 +14,10 @@ namespace {
 
 using namespace slopes;
 
-constexpr double box_length = 0.096, box_thickness = 0.045;
 constexpr double friction_deg = 38.0;
 constexpr double gravity = 9.81;
-constexpr double finest_spacing = 0.0006;
 constexpr double slow_share = 0.05;    // of sqrt(g H_d): speed that counts as rest
 constexpr double arrival_band = 0.10;  // README.md
-constexpr double coarse_band = 0.05;   // of the front at 1.5 mm to that at 0.6 mm
-constexpr const char* finest_run = "finest";
-
-/// One of the two experiments.
-struct Box {
-    const char* name;
-    const char* title;
-    double slope_deg;
-    double drop_height;  ///< m
-    double arrival;      ///< on the bed, the paper's frame (a), s
-    double last_frame;   ///< the paper's frame (d), s
-    bool front_first;    ///< the front comes to rest before the soil behind it
-};
 
 constexpr Box box_45{
     "box-45", "Box of sand on a chute of 45 deg (paper Fig. 10; Bryant et al. 2015)", 45, 0.233, 0.32, 1.0,
@@ -38,23 +25,6 @@ constexpr Box box_45{
 constexpr Box box_70{
     "box-70", "Box of sand on a chute of 70 deg (paper Fig. 11; Bryant et al. 2015)", 70, 0.385, 0.30, 0.65,
     false};
-
-double root_area() {
-    return std::sqrt(box_length * box_thickness);
-}
-
-double spacing_of(bool quick) {
-    return quick ? 0.004 : 0.0015;
-}
-
-double base_spacing(bool quick) {
-    return quick ? 0.004 : 0.003;
-}
-
-std::string at_spacing(double spacing) {
-    return fmt::format("dl = {:g} mm, {:.0f} particles", 1000.0 * spacing,
-                       root_area() * root_area() / (spacing * spacing));
-}
 
 /// Close together around the arrival, then enough for who stops when.
 std::string instants() {
@@ -83,11 +53,6 @@ std::vector<PlannedRun> plan_box(const Box& box, bool quick) {
         plan.push_back(finest);
     }
     return plan;
-}
-
-/// False also when it did not end as a result, which then shows in the fronts that miss their reference.
-bool finest_is_there(const CaseRuns& runs, bool quick) {
-    return !quick && is_result(runs.run(finest_run).status);
 }
 
 // --- arrival ---------------------------------------------------------------------------------------------
@@ -184,69 +149,6 @@ void add_sequences(CaseReport& report, const CaseRuns& runs, const Box& box, boo
                  [&](const auto& quantity) { return exact(quantity(sequence_in(runs, box, finest_run))); });
 }
 
-// --- deposit ---------------------------------------------------------------------------------------------
-
-struct Front {
-    const char* what;
-    double Measures::*value;
-};
-
-constexpr Front fronts[] = {{"front, 99.5 % of the mass, m", &Measures::front_mass_995_m},
-                            {"front by top, m", &Measures::run_out_m},
-                            {"front by mass, m", &Measures::front_by_mass_m}};
-
-/// Mean over the coarse half of the ensemble, which has none of its own to tell an error bar.
-Estimate coarse_mean(const CaseRuns& runs, const std::string& id, double Measures::*value) {
-    if (!all_are_results(runs, coarse_lattices_of(id))) return {};
-    std::vector<double> values;
-    for (const std::string& run : coarse_lattices_of(id)) values.push_back(runs.run(run).measures.*value);
-    Estimate mean = estimate_of(values, values);
-    mean.error = ValidationEntry::none;
-    return mean;
-}
-
-void add_fronts(CaseReport& report, const CaseRuns& runs, bool quick) {
-    const double spacing = spacing_of(quick);
-    for (const Front& front : fronts) {
-        Reference finest{};
-        if (finest_is_there(runs, quick)) {
-            finest = {"own run, dl = 0.6 mm", runs.run(finest_run).measures.*front.value};
-            report.entries.push_back(held(exact(finest.value), front.what, {}, at_spacing(finest_spacing)));
-        }
-        const Estimate coarse = coarse_mean(runs, "head", front.value);
-        report.entries.push_back(held(coarse, front.what, finest, at_spacing(2.0 * spacing)));
-        if (!quick) finest.accepted = coarse_band;
-        report.entries.push_back(
-            held(measured(runs, "head", front.value), front.what, finest, at_spacing(spacing)));
-    }
-}
-
-void add_rest(CaseReport& report, const CaseRuns& runs, const Box& box, bool quick) {
-    for (const char* id : {"head", "base"}) {
-        const bool head = std::string(id) == "head";
-        report.entries.push_back(
-            held(measured(runs, id, &Measures::time_to_rest_s),
-                 fmt::format("all at rest, H_d to the {}, s", head ? "head" : "lower end"),
-                 {"the paper, frame (d)", box.last_frame},
-                 at_spacing(head ? spacing_of(quick) : base_spacing(quick)),
-                 "the frame shows the final deposit; nothing says since when it lay there"));
-    }
-}
-
-Figure profile_figure(const CaseRuns& runs, const Box& box, bool quick) {
-    Figure figure{"profile", "Final deposit", "x/sqrt(S)", "y/sqrt(S)", {}, true, false};
-    const double toe = 0.4 / std::tan(radians(box.slope_deg));  // profiles/box-NN.csv
-    const auto add = [&](const std::string& run, double spacing, Curve::Style style) {
-        figure.curves.push_back(
-            surface_curve(runs, run, toe, fmt::format("dl = {:g} mm", 1000.0 * spacing), style));
-    };
-    if (!quick) add(finest_run, finest_spacing, Curve::Style::line);
-    add(lattices_of("head").front(), spacing_of(quick), Curve::Style::line);
-    add(coarse_lattices_of("head").front(), 2.0 * spacing_of(quick), Curve::Style::line);
-    figure.curves.push_back(ground_curve(box.slope_deg, 1.5, box.front_first ? 2.5 : 6.0));
-    return figure;
-}
-
 CaseReport evaluate_box(const Box& box, const CaseRuns& runs, bool quick) {
     CaseReport report{box.name, box.title, {}, {}, {}};
     add_arrivals(report, runs, box, "base", DropDatum::base, at_spacing(base_spacing(quick)));
@@ -257,13 +159,7 @@ CaseReport evaluate_box(const Box& box, const CaseRuns& runs, bool quick) {
                                       {"the paper, frame (a)", box.arrival}, at_spacing(finest_spacing)));
     if (box.front_first) add_rear(report, runs, quick);
     add_sequences(report, runs, box, quick);
-    add_fronts(report, runs, quick);
-    add_rest(report, runs, box, quick);
-    report.figures.push_back(profile_figure(runs, box, quick));
-    report.remarks.emplace_back(
-        "The measured deposit is a dashed line in a picture of the paper and not available in numbers, so "
-        "the "
-        "profile is shown and not judged.");
+    add_deposit(report, runs, box, quick);
     return report;
 }
 
