@@ -1,9 +1,12 @@
-// The quick part of the validation suite: every entry that has a band lies in it.
+// The quick part of the validation suite: every entry that has a band lies in it, but for those that are
+// known not to.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include "validation/run_suite.h"
 #include "validation/suite.h"
@@ -11,9 +14,22 @@
 namespace runout {
 namespace {
 
+/// Entries that stand OUTSIDE on docs/validation.md. One that comes into its band must leave this list.
+const std::set<std::string>& known_outside() {
+    static const std::set<std::string> names = {
+        // Plain divergence on a lattice that is drawn out along its rows: cases/numerics/README.md.
+        "numerics: drop, lattice along the axes, R/dl = 24: short semi-axis / R",
+        "numerics: drop, lattice along the axes, R/dl = 24: area from the semi-axes, over the start",
+        "numerics: vortex, loss of kinetic energy in half a turn, observed order",
+        // The frozen lattice begins to slide in jerks: cases/slab/README.md.
+        "slab: acceleration, 45 deg, 10 thick, m/s2",
+    };
+    return names;
+}
+
 class QuickValidation : public testing::TestWithParam<const char*> {};
 
-TEST_P(QuickValidation, LiesInItsBands) {
+TEST_P(QuickValidation, LiesInItsBandsButForWhatIsKnown) {
     const auto all = validation_cases();
     const auto item = std::find_if(all.begin(), all.end(),
                                    [](const ValidationCase& c) { return std::string(c.name) == GetParam(); });
@@ -28,8 +44,10 @@ TEST_P(QuickValidation, LiesInItsBands) {
     ASSERT_EQ(reports.size(), 1U);
     ASSERT_FALSE(reports[0].entries.empty());
     for (const ValidationEntry& entry : reports[0].entries) {
-        EXPECT_TRUE(within_band(entry)) << entry.quantity << ": computed " << entry.computed << ", reference "
-                                        << entry.reference << ", accepted " << entry.accepted;
+        const bool known = known_outside().contains(reports[0].name + ": " + entry.quantity);
+        EXPECT_EQ(within_band(entry), !known)
+            << entry.quantity << ": computed " << entry.computed << ", reference " << entry.reference
+            << ", accepted " << entry.accepted;
     }
 }
 
