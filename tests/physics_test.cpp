@@ -169,6 +169,44 @@ TEST(Properties, OneThreadAndTwoGiveTheSameBits) {
     EXPECT_EQ(final_positions(scene, 1, 0.1), final_positions(scene, 2, 0.1));
 }
 
+TEST(Effects, ABaseAsStrongAsTheSoilChangesNotABit) {
+    const Scene scene = scenes::aluminium_column(21.9, 0.008);
+    Scene strong = scene;
+    strong.effects.base_friction = BaseFriction{radians(25.0)};  // tan 25 deg > sin 21.9 deg
+    EXPECT_EQ(final_positions(scene, 1, 0.2), final_positions(strong, 1, 0.2));
+    strong.effects.base_friction = BaseFriction{radians(10.0)};
+    EXPECT_NE(final_positions(scene, 1, 0.2), final_positions(strong, 1, 0.2));
+}
+
+TEST(Effects, LayersArePouredOntoSoilAtRestAndStayBelowTheWall) {
+    Scene scene = scenes::aluminium_column(21.9, 0.01);
+    scene.effects.release = StagedRelease{2, 0.05, 0.02};
+    Simulation simulation(scene);
+    const std::size_t first = simulation.state().x.size();
+    int stages = 0;
+    while (simulation.status() == RunStatus::running) {
+        simulation.step();
+        stages += simulation.stage_ended() ? 1 : 0;
+    }
+    EXPECT_EQ(simulation.status(), RunStatus::settled) << simulation.status_detail();
+    EXPECT_EQ(stages, 2);
+    const StateView state = simulation.state();
+    EXPECT_EQ(state.x.size(), first + 2 * 5 * 2);
+    // A layer let go from the height of the wall would be thrown about.
+    EXPECT_LT(*std::max_element(state.y.begin(), state.y.end()), 0.12);
+}
+
+TEST(Properties, LatticeSeedsMoveParticlesOffTheLatticeAndAreRepeatable) {
+    Scene scene = scenes::aluminium_column(21.9, 0.01);
+    const std::vector<Vec2> regular = final_positions(scene, 1, 0.0);
+    scene.run.lattice_seed = 1;
+    const std::vector<Vec2> jittered = final_positions(scene, 1, 0.0);
+    EXPECT_NE(jittered, regular);
+    EXPECT_EQ(final_positions(scene, 1, 0.0), jittered);
+    scene.run.lattice_seed = 2;
+    EXPECT_NE(final_positions(scene, 1, 0.0), jittered);
+}
+
 TEST(Properties, AMirroredSectionGivesTheSameBits) {
     const Scene scene = scenes::aluminium_column(21.9, 0.008);
     const Scene mirrored = scenes::polygon({{-1.2, 0}, {0, 0}, {0, 0.2}},
