@@ -56,11 +56,11 @@ class Friction {
     // Node arrays, see Neighbours. What is iterated on is in single precision, see PairKernels.
     std::vector<double> pressure_, pressure_x_, pressure_y_;  ///< p and its gradient
     std::vector<float> strength_;                             ///< p sin(phi), Pa
-    std::vector<float> sxx_, sxy_;                            ///< stress of this iterate
-    std::vector<float> ahead_sxx_, ahead_sxy_;                ///< extrapolated
-    std::vector<float> base_vx_, base_vy_;                    ///< velocity under gravity and pressure
-    std::vector<float> vx_, vy_;                              ///< trial velocity v~
-    std::vector<float> force_x_, force_y_;                    ///< div s
+    std::vector<FloatPair> stress_;                           ///< sxx and sxy of this iterate, Pa
+    std::vector<FloatPair> ahead_;                            ///< extrapolated
+    std::vector<FloatPair> base_velocity_;                    ///< under gravity and pressure, m/s
+    std::vector<FloatPair> velocity_;                         ///< trial velocity v~
+    std::vector<FloatPair> force_;                            ///< div s, Pa/m
 };
 
 }  // namespace runout

@@ -20,36 +20,59 @@ void invert_moment(const double* m, Neighbours& n, int node) {
     n.correction[3][node] = lonely ? 1.0F : static_cast<float>(m[0] / det);
 }
 
-void write_row(PairBlock& block, const PairRow& row, int row_number, std::size_t first) {
-    std::size_t slot = first;
-    for (int k = 0; k < row.soil.count; ++k, slot += lanes) {
-        block.column[slot] = row.soil.column[k];
-        block.gx[slot] = static_cast<float>(row.soil.gx[k]);
-        block.gy[slot] = static_cast<float>(row.soil.gy[k]);
-        block.stiffness[slot] = static_cast<float>(row.soil.stiffness[k]);
-    }
-    for (WallPair pair : row.merged) {
-        pair.slot = static_cast<int>(slot);
-        pair.row = row_number;
-        block.wall_pairs.push_back(pair);
-        block.gx[slot] = pair.gx;
-        block.gy[slot] = pair.gy;
-        block.stiffness[slot] = pair.stiffness;
-        slot += lanes;
-    }
+/// What one thread works with while it finds the rows of a slice.
+struct SliceRows {
+    std::array<NearList, lanes> soil;
+    std::array<WallRow, lanes> wall;
+};
+
+void clear(PairBlock& block) {
+    block.column.clear();
+    block.gx.clear();
+    block.gy.clear();
+    block.stiffness.clear();
+    block.wall_pairs.clear();
 }
 
-void write_slice(PairBlock& block, int slice, const std::array<PairRow, lanes>& rows) {
-    std::size_t width = 0;
-    for (const PairRow& row : rows) width = std::max(width, row.size());
-    const std::size_t first = block.column.size();
-    const std::size_t last = first + width * lanes;
-    block.column.resize(last, 0);
-    block.gx.resize(last, 0.0F);
-    block.gy.resize(last, 0.0F);
-    block.stiffness.resize(last, 0.0F);
-    for (int l = 0; l < lanes; ++l) write_row(block, rows[l], block.first_row + slice * lanes + l, first + l);
-    block.offset[slice + 1] = static_cast<int>(last);
+void grow(PairBlock& block, std::size_t size) {
+    block.column.resize(size, 0);
+    block.gx.resize(size, 0.0F);
+    block.gy.resize(size, 0.0F);
+    block.stiffness.resize(size, 0.0F);
+}
+
+/// Writes the soil pairs of a slice, lane beside lane, and finds their geometry. Short lanes are filled up with
+/// separations of one support, of which nothing comes.
+void write_soil_pairs(PairBlock& block, std::size_t first, int width, const SliceRows& rows,
+                      const PairFinder& finder, SliceSums& sums) {
+    for (int l = 0; l < lanes; ++l) {
+        const NearList& near = rows.soil[l];
+        std::size_t slot = first + l;
+        for (int k = 0; k < near.count; ++k, slot += lanes) {
+            block.column[slot] = near.column[k];
+            block.gx[slot] = near.dx[k];
+            block.gy[slot] = near.dy[k];
+        }
+        for (int k = near.count; k < width; ++k, slot += lanes) block.gx[slot] = finder.support;
+    }
+    pair_kernels().slice_geometry({width, &block.gx[first], &block.gy[first], &block.stiffness[first]},
+                                  finder.constants, sums);
+}
+
+/// Wall pairs follow the soil pairs of their row.
+void write_wall_pairs(PairBlock& block, std::size_t first, int first_row, const SliceRows& rows) {
+    for (int l = 0; l < lanes; ++l) {
+        std::size_t slot = first + l + static_cast<std::size_t>(rows.soil[l].count) * lanes;
+        for (WallPair pair : rows.wall[l].merged) {
+            pair.slot = static_cast<int>(slot);
+            pair.row = first_row + l;
+            block.wall_pairs.push_back(pair);
+            block.gx[slot] = pair.gx;
+            block.gy[slot] = pair.gy;
+            block.stiffness[slot] = pair.stiffness;
+            slot += lanes;
+        }
+    }
 }
 
 template <class T>
@@ -62,8 +85,8 @@ void permute(std::vector<T>& values, const std::vector<int>& order, std::vector<
 }  // namespace
 
 NeighbourSearch::NeighbourSearch(const Discretisation& discretisation, int threads)
-    : discretisation_(discretisation), kernel_(discretisation.smoothing_length), threads_(threads) {
-    grid_.size = kernel_.support() / cells_per_support;
+    : discretisation_(discretisation), threads_(threads) {
+    grid_.size = WendlandKernel(discretisation.smoothing_length).support() / cells_per_support;
 }
 
 void NeighbourSearch::sort(Soil& soil) {
@@ -92,30 +115,49 @@ void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
 }
 
 void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours& n, int b) const {
-    thread_local std::array<PairRow, lanes> rows;
+    thread_local SliceRows rows;
+    const PairFinder finder(discretisation_);
     PairBlock& block = n.blocks[b];
     block.first_row = b * rows_per_block;
-    block.column.clear();
-    block.gx.clear();
-    block.gy.clear();
-    block.stiffness.clear();
-    block.wall_pairs.clear();
+    clear(block);
     for (int slice = 0; slice < slices_per_block; ++slice) {
+        const int first_row = block.first_row + slice * lanes;
+        int soil_width = 0;
+        std::size_t width = 0;
         for (int l = 0; l < lanes; ++l) {
-            PairRow& row = rows[l];
-            row.clear();
-            const int i = block.first_row + slice * lanes + l;
+            rows.soil[l].count = 0;
+            rows.wall[l].merged.clear();
+            const int i = first_row + l;
             if (i >= soil.count) continue;
-            find_pair_row(grid_, discretisation_, soil, wall, i, row);
-            n.density[i] = row.kernel_sum / discretisation_.lattice_sum;
-            n.stiffness_sum[i] = row.stiffness_sum;
-            n.surface_x[i] = row.surface_x;
-            n.surface_y[i] = row.surface_y;
-            n.nearest_boundary[i] = row.nearest_boundary;
-            invert_moment(row.moment, n, i);
+            finder.find_soil(grid_, soil, i, rows.soil[l]);
+            finder.find_wall(wall, soil.x[i], soil.y[i], rows.wall[l]);
+            soil_width = std::max(soil_width, rows.soil[l].count);
+            width = std::max(width, rows.soil[l].count + rows.wall[l].merged.size());
         }
-        write_slice(block, slice, rows);
+        const std::size_t first = block.column.size();
+        grow(block, first + width * lanes);
+        block.offset[slice + 1] = static_cast<int>(block.column.size());
+        if (width == 0) continue;
+        SliceSums sums;
+        write_soil_pairs(block, first, soil_width, rows, finder, sums);
+        write_wall_pairs(block, first, first_row, rows);
+        for (int l = 0; l < lanes && first_row + l < soil.count; ++l) {
+            write_sums(n, first_row + l, sums, l, rows.wall[l]);
+        }
     }
+}
+
+void NeighbourSearch::write_sums(Neighbours& n, int i, const SliceSums& soil, int lane, const WallRow& wall) const {
+    const RowSums& w = wall.sums;
+    const double self = WendlandKernel(discretisation_.smoothing_length).value(0.0);
+    n.density[i] = (self + soil.kernel[lane] + w.kernel) / discretisation_.lattice_sum;
+    n.stiffness_sum[i] = soil.stiffness[lane] + w.stiffness;
+    n.surface_x[i] = soil.surface_x[lane] + w.surface_x;
+    n.surface_y[i] = soil.surface_y[lane] + w.surface_y;
+    n.nearest_boundary[i] = wall.nearest_boundary;
+    const double xy = soil.xy[lane] + w.xy;  // twice: gradW lies along the pair
+    const double moment[4] = {soil.xx[lane] + w.xx, xy, xy, soil.yy[lane] + w.yy};
+    invert_moment(moment, n, i);
 }
 
 void NeighbourSearch::number_boundary(const Soil& soil, const Wall& wall, Neighbours& n) {

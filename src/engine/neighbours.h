@@ -72,6 +72,8 @@ struct Neighbours {
     [[nodiscard]] int active_count() const { return static_cast<int>(active.size()); }
 };
 
+struct WallRow;
+
 /// Builds Neighbours anew; keeps the memory from call to call.
 class NeighbourSearch {
   public:
@@ -84,11 +86,11 @@ class NeighbourSearch {
 
   private:
     void find_block(const Soil& soil, const Wall& wall, Neighbours& n, int block) const;
+    void write_sums(Neighbours& n, int i, const SliceSums& soil, int lane, const WallRow& wall) const;
     void number_boundary(const Soil& soil, const Wall& wall, Neighbours& n);
     void fill_boundary_rows(const Wall& wall, const Soil& soil, Neighbours& n);
 
     Discretisation discretisation_;
-    WendlandKernel kernel_;
     int threads_;
     CellGrid grid_;
     std::vector<int> order_;

@@ -10,14 +10,14 @@ PairRows pair_rows(const PairBlock& block, const Neighbours& n) {
             block.gx.data(), block.gy.data(), block.stiffness.data()};
 }
 
-VelocityGradient boundary_velocity_gradient(const Neighbours& n, int a, const float* vx, const float* vy) {
+VelocityGradient boundary_velocity_gradient(const Neighbours& n, int a, const FloatPair* velocity) {
     VelocityGradient g;
     for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) {
         const BoundaryPair& pair = n.boundary_pairs[k];
-        g.xx += static_cast<double>(vx[pair.soil]) * pair.own_gx;
-        g.xy += static_cast<double>(vx[pair.soil]) * pair.own_gy;
-        g.yx += static_cast<double>(vy[pair.soil]) * pair.own_gx;
-        g.yy += static_cast<double>(vy[pair.soil]) * pair.own_gy;
+        g.xx += static_cast<double>(velocity[pair.soil].x) * pair.own_gx;
+        g.xy += static_cast<double>(velocity[pair.soil].x) * pair.own_gy;
+        g.yx += static_cast<double>(velocity[pair.soil].y) * pair.own_gx;
+        g.yy += static_cast<double>(velocity[pair.soil].y) * pair.own_gy;
     }
     return g;
 }

@@ -29,16 +29,16 @@ PairRows pair_rows(const PairBlock& block, const Neighbours& n);
 
 /// Calls f(i, gradient) with the plain velocity gradient of every soil row i of the block.
 template <class Function>
-void for_each_velocity_gradient(const PairBlock& block, const Neighbours& n, const float* vx, const float* vy,
+void for_each_velocity_gradient(const PairBlock& block, const Neighbours& n, const FloatPair* velocity,
                                 const Function& f) {
     VelocityGradients g;
-    pair_kernels().velocity_gradient(pair_rows(block, n), vx, vy, g);
+    pair_kernels().velocity_gradient(pair_rows(block, n), velocity, g);
     for (int k = 0; k < rows_per_block && block.first_row + k < n.soil_count; ++k) {
         f(block.first_row + k, VelocityGradient{g.xx[k], g.xy[k], g.yx[k], g.yy[k]});
     }
 }
 
 /// Velocity gradient at active boundary particle `a` from its own pairs.
-VelocityGradient boundary_velocity_gradient(const Neighbours& n, int a, const float* vx, const float* vy);
+VelocityGradient boundary_velocity_gradient(const Neighbours& n, int a, const FloatPair* velocity);
 
 }  // namespace runout

@@ -22,6 +22,12 @@ struct PairRows {
     const float* stiffness = nullptr;
 };
 
+/// Two numbers of a node that are always wanted together, such as vx and vy or sxx and sxy, in one word: looking up
+/// scattered neighbours is what the pair loops spend their time on.
+struct alignas(8) FloatPair {
+    float x = 0, y = 0;
+};
+
 /// Plain (uncorrected) velocity gradients of the rows of one block, dv_row / dx_column, 1/s.
 struct VelocityGradients {
     float xx[rows_per_block], xy[rows_per_block], yx[rows_per_block], yy[rows_per_block];
@@ -29,37 +35,62 @@ struct VelocityGradients {
 
 /// One projected iteration of the friction, node arrays; see Friction.
 struct StressUpdate {
-    const float* vx = nullptr;  ///< trial velocity, m/s
-    const float* vy = nullptr;
+    const FloatPair* velocity = nullptr;  ///< trial velocity, m/s
     const float* correction[4] = {};  ///< inverse moment matrix of eq. 9, row-major
     const float* strength = nullptr;  ///< p sin(phi), Pa
     float step = 0;                   ///< 2 r, Pa s
     float momentum = 0;
-    float* sxx = nullptr;  ///< Pa
-    float* sxy = nullptr;
-    float* ahead_sxx = nullptr;  ///< extrapolated by `momentum`
-    float* ahead_sxy = nullptr;
+    FloatPair* stress = nullptr;  ///< sxx and sxy, Pa
+    FloatPair* ahead = nullptr;   ///< stress extrapolated by `momentum`
+};
+
+/// Rotation of the stress with the soil, node arrays; see Friction.
+struct StressRotation {
+    const FloatPair* velocity = nullptr;  ///< m/s
+    const float* correction[4] = {};      ///< inverse moment matrix of eq. 9, row-major
+    float dt = 0;                         ///< s
+    FloatPair* stress = nullptr;          ///< sxx and sxy, Pa
+};
+
+/// Which particles are near a point: those of [first, last) but `self`.
+struct NearQuery {
+    double x = 0, y = 0;  ///< m
+    int self = -1;
+    int first = 0, last = 0;
 };
 
 /// A list of pairs as plain arrays: separations in, geometry out.
 struct PairGeometry {
     int count = 0;
-    const double* dx = nullptr;  ///< x_i - x_j, m
-    const double* dy = nullptr;
-    const double* r2 = nullptr;  ///< within the support
-    double* gx = nullptr;        ///< V gradW, 1/m
-    double* gy = nullptr;
-    double* stiffness = nullptr;  ///< k_ij
-    double* kernel = nullptr;     ///< W, 1/m2
+    const float* dx = nullptr;  ///< x_i - x_j, m
+    const float* dy = nullptr;
+    float* gx = nullptr;  ///< V gradW, 1/m
+    float* gy = nullptr;
+    float* stiffness = nullptr;  ///< k_ij
+    float* kernel = nullptr;     ///< W, 1/m2
+};
+
+/// The pairs of one slice: entry e of lane l stands at 16 e + l. Separations in, geometry out, in place; a
+/// separation of one support is no pair and comes out as zeros.
+struct SliceGeometry {
+    int width = 0;     ///< entries a lane
+    float* x = nullptr;  ///< in: x_i - x_j, m; out: V gradW, 1/m
+    float* y = nullptr;
+    float* stiffness = nullptr;  ///< k_ij
+};
+
+/// Sums over the pairs of each lane of a slice, see RowSums.
+struct SliceSums {
+    float kernel[lanes], stiffness[lanes], surface_x[lanes], surface_y[lanes], xx[lanes], xy[lanes], yy[lanes];
 };
 
 /// Constants of the kernel and of k_ij that the geometry needs, see WendlandKernel and Discretisation.
 struct GeometryConstants {
-    double inverse_h = 0;        ///< 1/m
-    double value_scale = 0;      ///< of W
-    double gradient_scale = 0;   ///< of V gradW / x
-    double stiffness_scale = 0;  ///< of k r^2-free part
-    double eta2 = 0;             ///< m2
+    float inverse_h = 0;        ///< 1/m
+    float value_scale = 0;      ///< of W
+    float gradient_scale = 0;   ///< of V gradW / x
+    float stiffness_scale = 0;  ///< of k r^2-free part
+    float eta2 = 0;             ///< m2
 };
 
 /// The sums over pairs that the engine spends its time in. Node arrays hold soil, padding, then active
@@ -68,22 +99,29 @@ struct GeometryConstants {
 struct PairKernels {
     /// force = sum_j (s_i + s_j) . V gradW, Pa/m: divergence of the deviatoric stress, eq. 3. Plain, not
     /// renormalised gradients: the renormalised form drags thin layers (false friction).
-    void (*stress_divergence)(const PairRows& rows, const float* sxx, const float* sxy, float* force_x,
-                              float* force_y);
+    void (*stress_divergence)(const PairRows& rows, const FloatPair* stress, FloatPair* force);
     /// force = sum_j (p_i + p_j) V gradW, Pa/m: pressure gradient, eq. 4.
     void (*pressure_gradient)(const PairRows& rows, const double* pressure, double* force_x, double* force_y);
     /// div = sum_j V (v_j - v_i) . gradW, 1/s; the negative adjoint of `pressure_gradient`.
-    void (*velocity_divergence)(const PairRows& rows, const double* vx, const double* vy, double* divergence);
+    void (*velocity_divergence)(const PairRows& rows, const FloatPair* velocity, double* divergence);
     /// gradient = sum_j V (v_j - v_i) (x) gradW.
-    void (*velocity_gradient)(const PairRows& rows, const float* vx, const float* vy,
-                              VelocityGradients& gradients);
+    void (*velocity_gradient)(const PairRows& rows, const FloatPair* velocity, VelocityGradients& gradients);
     /// s <- bound(ahead + 2 r e(v)), |s| <= strength; then ahead <- s + momentum (s - old s). For the block's
     /// rows.
     void (*update_stress)(const PairRows& rows, const StressUpdate& update);
+    /// Turns s by the spin of the soil over dt (Jaumann; the rational form of the rotation keeps |s|). For the
+    /// block's rows.
+    void (*rotate_stress)(const PairRows& rows, const StressRotation& rotation);
     /// out = sum_j k_ij x_j.
     void (*stiffness_product)(const PairRows& rows, const double* x, double* out);
+    /// Writes index and separation of all that is nearer than the square root of `support2`, in order, and
+    /// returns how many. There must be room for last - first + 16 of them.
+    int (*select_near)(const double* x, const double* y, const NearQuery& query, float support2,
+                       std::int32_t* column, float* dx, float* dy);
     /// Kernel, gradient and k of each pair of a list.
     void (*pair_geometry)(const PairGeometry& pairs, const GeometryConstants& constants);
+    /// Gradient and k of each pair of a slice, and its sums.
+    void (*slice_geometry)(const SliceGeometry& slice, const GeometryConstants& constants, SliceSums& sums);
 };
 
 /// The fastest kernels this machine can run.

@@ -4,30 +4,46 @@
 // arrays and arithmetic may be used here: whatever function of a header is compiled with wider instructions
 // could be the copy that the linker keeps for the whole program.
 
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
+
 #include "engine/pair_kernels.h"
 
 namespace runout::kernels {
 namespace {
 
-void stress_divergence(const PairRows& p, const float* sxx, const float* sxy, float* force_x,
-                       float* force_y) {
+/// Both numbers of a node in one load.
+inline std::uint64_t word_of(const FloatPair* values, int node) {
+    std::uint64_t word;
+    __builtin_memcpy(&word, values + node, sizeof word);
+    return word;
+}
+inline float first_of(std::uint64_t word) {
+    return __builtin_bit_cast(float, static_cast<std::uint32_t>(word));
+}
+inline float second_of(std::uint64_t word) {
+    return __builtin_bit_cast(float, static_cast<std::uint32_t>(word >> 32));
+}
+
+void stress_divergence(const PairRows& p, const FloatPair* stress, FloatPair* force) {
     for (int s = 0; s < p.slices; ++s) {
         const int row = p.first_row + s * lanes;
         float fx[lanes] = {};
         float fy[lanes] = {};
         for (int e = p.offset[s]; e < p.offset[s + 1]; e += lanes) {
             for (int l = 0; l < lanes; ++l) {
-                const int j = p.column[e + l];
-                const float a = sxx[row + l] + sxx[j];
-                const float b = sxy[row + l] + sxy[j];
+                const std::uint64_t own = word_of(stress, row + l);
+                const std::uint64_t other = word_of(stress, p.column[e + l]);
+                const float a = first_of(own) + first_of(other);
+                const float b = second_of(own) + second_of(other);
                 const float gx = p.gx[e + l];
                 const float gy = p.gy[e + l];
                 fx[l] += a * gx + b * gy;
                 fy[l] += b * gx - a * gy;
             }
         }
-        for (int l = 0; l < lanes; ++l) force_x[row + l] = fx[l];
-        for (int l = 0; l < lanes; ++l) force_y[row + l] = fy[l];
+        for (int l = 0; l < lanes; ++l) force[row + l] = {fx[l], fy[l]};
     }
 }
 
@@ -48,21 +64,23 @@ void pressure_gradient(const PairRows& p, const double* pressure, double* force_
     }
 }
 
-void velocity_divergence(const PairRows& p, const double* vx, const double* vy, double* divergence) {
+void velocity_divergence(const PairRows& p, const FloatPair* velocity, double* divergence) {
     for (int s = 0; s < p.slices; ++s) {
         const int row = p.first_row + s * lanes;
-        double sum[lanes] = {};
+        float sum[lanes] = {};
         for (int e = p.offset[s]; e < p.offset[s + 1]; e += lanes) {
             for (int l = 0; l < lanes; ++l) {
-                const int j = p.column[e + l];
-                sum[l] += (vx[j] - vx[row + l]) * p.gx[e + l] + (vy[j] - vy[row + l]) * p.gy[e + l];
+                const std::uint64_t own = word_of(velocity, row + l);
+                const std::uint64_t other = word_of(velocity, p.column[e + l]);
+                sum[l] += (first_of(other) - first_of(own)) * p.gx[e + l] +
+                          (second_of(other) - second_of(own)) * p.gy[e + l];
             }
         }
-        for (int l = 0; l < lanes; ++l) divergence[row + l] = sum[l];
+        for (int l = 0; l < lanes; ++l) divergence[row + l] = static_cast<double>(sum[l]);
     }
 }
 
-void velocity_gradient(const PairRows& p, const float* vx, const float* vy, VelocityGradients& gradients) {
+void velocity_gradient(const PairRows& p, const FloatPair* velocity, VelocityGradients& gradients) {
     for (int s = 0; s < p.slices; ++s) {
         const int row = p.first_row + s * lanes;
         float xx[lanes] = {};
@@ -71,9 +89,10 @@ void velocity_gradient(const PairRows& p, const float* vx, const float* vy, Velo
         float yy[lanes] = {};
         for (int e = p.offset[s]; e < p.offset[s + 1]; e += lanes) {
             for (int l = 0; l < lanes; ++l) {
-                const int j = p.column[e + l];
-                const float dvx = vx[j] - vx[row + l];
-                const float dvy = vy[j] - vy[row + l];
+                const std::uint64_t own = word_of(velocity, row + l);
+                const std::uint64_t other = word_of(velocity, p.column[e + l]);
+                const float dvx = first_of(other) - first_of(own);
+                const float dvy = second_of(other) - second_of(own);
                 const float gx = p.gx[e + l];
                 const float gy = p.gy[e + l];
                 xx[l] += dvx * gx;
@@ -93,16 +112,14 @@ void velocity_gradient(const PairRows& p, const float* vx, const float* vy, Velo
 
 void update_stress(const PairRows& p, const StressUpdate& update) {
     VelocityGradients g;
-    velocity_gradient(p, update.vx, update.vy, g);
+    velocity_gradient(p, update.velocity, g);
     const float* __restrict__ b0 = update.correction[0] + p.first_row;
     const float* __restrict__ b1 = update.correction[1] + p.first_row;
     const float* __restrict__ b2 = update.correction[2] + p.first_row;
     const float* __restrict__ b3 = update.correction[3] + p.first_row;
     const float* __restrict__ strength = update.strength + p.first_row;
-    float* __restrict__ sxx = update.sxx + p.first_row;
-    float* __restrict__ sxy = update.sxy + p.first_row;
-    float* __restrict__ ahead_sxx = update.ahead_sxx + p.first_row;
-    float* __restrict__ ahead_sxy = update.ahead_sxy + p.first_row;
+    FloatPair* __restrict__ stress = update.stress + p.first_row;
+    FloatPair* __restrict__ ahead = update.ahead + p.first_row;
     const float half_step = 0.5F * update.step;
     const float momentum = update.momentum;
     for (int k = 0; k < p.slices * lanes; ++k) {
@@ -110,17 +127,41 @@ void update_stress(const PairRows& p, const StressUpdate& update) {
         const float xy = g.xx[k] * b1[k] + g.xy[k] * b3[k];
         const float yx = g.yx[k] * b0[k] + g.yy[k] * b2[k];
         const float yy = g.yx[k] * b1[k] + g.yy[k] * b3[k];
-        const float trial_xx = ahead_sxx[k] - half_step * (xx - yy);
-        const float trial_xy = ahead_sxy[k] - half_step * (xy + yx);
+        const float trial_xx = ahead[k].x - half_step * (xx - yy);
+        const float trial_xy = ahead[k].y - half_step * (xy + yx);
         const float size2 = trial_xx * trial_xx + trial_xy * trial_xy;
         const float ratio = strength[k] / __builtin_sqrtf(size2 + 1e-30F);
         const float scale = ratio < 1.0F ? ratio : 1.0F;
         const float new_xx = scale * trial_xx;
         const float new_xy = scale * trial_xy;
-        ahead_sxx[k] = new_xx + momentum * (new_xx - sxx[k]);
-        ahead_sxy[k] = new_xy + momentum * (new_xy - sxy[k]);
-        sxx[k] = new_xx;
-        sxy[k] = new_xy;
+        ahead[k].x = new_xx + momentum * (new_xx - stress[k].x);
+        ahead[k].y = new_xy + momentum * (new_xy - stress[k].y);
+        stress[k].x = new_xx;
+        stress[k].y = new_xy;
+    }
+}
+
+void rotate_stress(const PairRows& p, const StressRotation& rotation) {
+    VelocityGradients g;
+    velocity_gradient(p, rotation.velocity, g);
+    const float* __restrict__ b0 = rotation.correction[0] + p.first_row;
+    const float* __restrict__ b1 = rotation.correction[1] + p.first_row;
+    const float* __restrict__ b2 = rotation.correction[2] + p.first_row;
+    const float* __restrict__ b3 = rotation.correction[3] + p.first_row;
+    FloatPair* __restrict__ stress = rotation.stress + p.first_row;
+    const float half_dt = 0.5F * rotation.dt;
+    for (int k = 0; k < p.slices * lanes; ++k) {
+        const float xy = g.xx[k] * b1[k] + g.xy[k] * b3[k];
+        const float yx = g.yx[k] * b0[k] + g.yy[k] * b2[k];
+        // The components turn by twice the angle of the soil; t is the tangent of half of that.
+        const float t = half_dt * (yx - xy);
+        const float inverse = 1.0F / (1.0F + t * t);
+        const float c = (1.0F - t * t) * inverse;
+        const float sine = 2.0F * t * inverse;
+        const float sxx = stress[k].x;
+        const float sxy = stress[k].y;
+        stress[k].x = c * sxx - sine * sxy;
+        stress[k].y = sine * sxx + c * sxy;
     }
 }
 
@@ -135,29 +176,122 @@ void stiffness_product(const PairRows& p, const double* x, double* out) {
     }
 }
 
+#if defined(__AVX512F__)
+
+int select_near(const double* x, const double* y, const NearQuery& query, float support2, std::int32_t* column,
+                float* dx, float* dy) {
+    const __m512d px = _mm512_set1_pd(query.x);
+    const __m512d py = _mm512_set1_pd(query.y);
+    const __m512i self = _mm512_set1_epi32(query.self);
+    const __m512 limit = _mm512_set1_ps(support2);
+    __m512i index = _mm512_add_epi32(_mm512_set1_epi32(query.first),
+                                     _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0));
+    const auto separation = [](const double* from, int k, __mmask16 valid, __m512d to) {
+        const __m512d low = _mm512_maskz_loadu_pd(static_cast<__mmask8>(valid), from + k);
+        const __m512d high = _mm512_maskz_loadu_pd(static_cast<__mmask8>(valid >> 8), from + k + 8);
+        const __m256 a = _mm512_maskz_cvtpd_ps(0xFF, _mm512_sub_pd(to, low));
+        const __m256 b = _mm512_maskz_cvtpd_ps(0xFF, _mm512_sub_pd(to, high));
+        return _mm512_insertf32x8(_mm512_castps256_ps512(a), b, 1);
+    };
+    int count = 0;
+    for (int k = query.first; k < query.last; k += lanes) {
+        const int left = query.last - k;
+        const auto valid = static_cast<__mmask16>(left < lanes ? (1U << left) - 1U : 0xFFFFU);
+        const __m512 sx = separation(x, k, valid, px);
+        const __m512 sy = separation(y, k, valid, py);
+        const __m512 r2 = _mm512_add_ps(_mm512_mul_ps(sx, sx), _mm512_mul_ps(sy, sy));
+        const __mmask16 near = _mm512_mask_cmp_ps_mask(valid, r2, limit, _CMP_LT_OQ) &
+                               _mm512_cmpneq_epi32_mask(index, self);
+        _mm512_storeu_si512(column + count, _mm512_maskz_compress_epi32(near, index));
+        _mm512_storeu_ps(dx + count, _mm512_maskz_compress_ps(near, sx));
+        _mm512_storeu_ps(dy + count, _mm512_maskz_compress_ps(near, sy));
+        count += __builtin_popcount(near);
+        index = _mm512_add_epi32(index, _mm512_set1_epi32(lanes));
+    }
+    return count;
+}
+
+#else
+
+/// Branchless: every candidate is written, and kept by moving on.
+int select_near(const double* x, const double* y, const NearQuery& query, float support2, std::int32_t* column,
+                float* dx, float* dy) {
+    int count = 0;
+    for (int k = query.first; k < query.last; ++k) {
+        const auto sx = static_cast<float>(query.x - x[k]);
+        const auto sy = static_cast<float>(query.y - y[k]);
+        column[count] = k;
+        dx[count] = sx;
+        dy[count] = sy;
+        count += static_cast<int>(sx * sx + sy * sy < support2) & static_cast<int>(k != query.self);
+    }
+    return count;
+}
+
+#endif
+
+/// Gradient, k and kernel of one pair. Nothing comes of a pair one support apart.
+struct PairValues {
+    float gx, gy, stiffness, kernel;
+};
+
+inline PairValues pair_values(float dx, float dy, const GeometryConstants& c) {
+    const float r2 = dx * dx + dy * dy;
+    const float q = __builtin_sqrtf(r2) * c.inverse_h;
+    const float open = 1.0F - 0.5F * q;
+    const float b = open > 0.0F ? open : 0.0F;
+    const float b3 = b * b * b;
+    return {c.gradient_scale * b3 * dx, c.gradient_scale * b3 * dy,
+            c.stiffness_scale * b3 * r2 / (r2 + c.eta2), c.value_scale * b3 * b * (2.0F * q + 1.0F)};
+}
+
 void pair_geometry(const PairGeometry& p, const GeometryConstants& constants) {
     const GeometryConstants c = constants;
-    const double* __restrict__ dx = p.dx;
-    const double* __restrict__ dy = p.dy;
-    const double* __restrict__ r2 = p.r2;
-    double* __restrict__ gx = p.gx;
-    double* __restrict__ gy = p.gy;
-    double* __restrict__ stiffness = p.stiffness;
-    double* __restrict__ kernel = p.kernel;
+    const float* __restrict__ dx = p.dx;
+    const float* __restrict__ dy = p.dy;
+    float* __restrict__ gx = p.gx;
+    float* __restrict__ gy = p.gy;
+    float* __restrict__ stiffness = p.stiffness;
+    float* __restrict__ kernel = p.kernel;
     for (int k = 0; k < p.count; ++k) {
-        const double q = __builtin_sqrt(r2[k]) * c.inverse_h;
-        const double b = 1.0 - 0.5 * q;
-        const double b3 = b * b * b;
-        gx[k] = c.gradient_scale * b3 * dx[k];
-        gy[k] = c.gradient_scale * b3 * dy[k];
-        stiffness[k] = c.stiffness_scale * b3 * r2[k] / (r2[k] + c.eta2);
-        kernel[k] = c.value_scale * b3 * b * (2.0 * q + 1.0);
+        const PairValues pair = pair_values(dx[k], dy[k], c);
+        gx[k] = pair.gx;
+        gy[k] = pair.gy;
+        stiffness[k] = pair.stiffness;
+        kernel[k] = pair.kernel;
     }
+}
+
+void slice_geometry(const SliceGeometry& slice, const GeometryConstants& constants, SliceSums& sums) {
+    const GeometryConstants c = constants;
+    SliceSums total{};
+    for (int e = 0; e < slice.width; ++e) {
+        float* __restrict__ x = slice.x + e * lanes;
+        float* __restrict__ y = slice.y + e * lanes;
+        float* __restrict__ stiffness = slice.stiffness + e * lanes;
+        for (int l = 0; l < lanes; ++l) {
+            const float dx = x[l];
+            const float dy = y[l];
+            const PairValues pair = pair_values(dx, dy, c);
+            x[l] = pair.gx;
+            y[l] = pair.gy;
+            stiffness[l] = pair.stiffness;
+            total.kernel[l] += pair.kernel;
+            total.stiffness[l] += pair.stiffness;
+            total.surface_x[l] += pair.gx;
+            total.surface_y[l] += pair.gy;
+            total.xx[l] -= dx * pair.gx;
+            total.xy[l] -= dx * pair.gy;
+            total.yy[l] -= dy * pair.gy;
+        }
+    }
+    sums = total;
 }
 
 constexpr PairKernels table() {
     return {stress_divergence, pressure_gradient, velocity_divergence, velocity_gradient,
-            update_stress,     stiffness_product, pair_geometry};
+            update_stress,     rotate_stress,     stiffness_product,   select_near,
+            pair_geometry,     slice_geometry};
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "engine/cell_grid.h"
 #include "engine/kernel.h"
 #include "engine/neighbours.h"
+#include "engine/pair_kernels.h"
 #include "engine/soil.h"
 #include "engine/wall.h"
 
@@ -13,42 +15,51 @@ namespace runout {
 /// Soil cells along one kernel support: smaller cells leave fewer candidates that are too far.
 constexpr int cells_per_support = 2;
 
-/// Particles within the support of one, in the order they were met, and the geometry of each pair.
-struct PairList {
+/// Particles within the support of one, in the order they were met. Separations in single precision, taken from
+/// positions in double: what one particle sees of a pair is the exact negative of what the other sees.
+struct NearList {
     int count = 0;
-    std::vector<int> column;
-    std::vector<double> dx, dy, r2, gx, gy, stiffness, kernel;
+    std::vector<std::int32_t> column;
+    std::vector<float> dx, dy;  ///< x_i - x_j, m
 
     void reserve(std::size_t size) {
         if (column.size() >= size) return;
         column.resize(size);
-        for (auto* field : {&dx, &dy, &r2, &gx, &gy, &stiffness, &kernel}) field->resize(size);
+        dx.resize(size);
+        dy.resize(size);
     }
 };
 
-/// One row while it is collected: soil pairs, wall pairs and the sums that come with them.
-struct PairRow {
-    PairList soil, wall;
+/// Sums over the pairs of one row.
+struct RowSums {
+    double kernel = 0;                    ///< of W, 1/m2
+    double stiffness = 0;                 ///< of k
+    double surface_x = 0, surface_y = 0;  ///< of V gradW, 1/m
+    double xx = 0, xy = 0, yy = 0;        ///< moments -V x gradW
+};
+
+/// Wall particles near one soil particle, merged into their boundary particles.
+struct WallRow {
+    NearList near;
+    std::vector<float> gx, gy, stiffness, kernel;
     std::vector<WallPair> merged;
-    double kernel_sum = 0, stiffness_sum = 0;
-    double surface_x = 0, surface_y = 0;
-    double moment[4] = {};
+    RowSums sums;
     int nearest_boundary = -1;
-
-    void clear() {
-        soil.count = wall.count = 0;
-        merged.clear();
-        kernel_sum = stiffness_sum = surface_x = surface_y = 0;
-        for (double& m : moment) m = 0;
-        nearest_boundary = -1;
-    }
-    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(soil.count) + merged.size(); }
 };
 
-/// Finds the row of soil particle i in a grid of support / cells_per_support: who is within the support, in
-/// the order of the cells, and the sums over them. On return wall pairs are merged into their boundary
-/// particles. `row` has been cleared.
-void find_pair_row(const CellGrid& grid, const Discretisation& discretisation, const Soil& soil,
-                   const Wall& wall, int i, PairRow& row);
+/// What finding pairs needs besides the particles.
+struct PairFinder {
+    WendlandKernel kernel;
+    GeometryConstants constants;
+    float support;   ///< m
+    float support2;  ///< m2
+
+    explicit PairFinder(const Discretisation& discretisation);
+
+    /// Soil within the support of soil particle i, in a grid of support / cells_per_support.
+    void find_soil(const CellGrid& grid, const Soil& soil, int i, NearList& near) const;
+    /// Wall within the support of a point; on return the pairs are merged and summed.
+    void find_wall(const Wall& wall, double x, double y, WallRow& row) const;
+};
 
 }  // namespace runout

@@ -66,26 +66,27 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
                                          const std::vector<double>& vy, const PressureStep& step) {
     right_hand_side_.assign(n.nodes, 0.0);
     kept_.assign(n.nodes, 0.0);
-    trial_vx_.assign(n.nodes, 0.0);
-    trial_vy_.assign(n.nodes, 0.0);
+    gradient_x_.resize(n.nodes);
+    gradient_y_.resize(n.nodes);
+    trial_velocity_.assign(n.nodes, FloatPair{});
     product_.assign(n.nodes, 0.0);
     for (int i = 0; i < n.nodes; ++i) kept_[i] = step.memory * pressure_[i];
     multiply(n, wall, kept_, product_);
     const double dt = step.dt;
     const double scale = dt / discretisation_.density;
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        pair_kernels().pressure_gradient(pair_rows(n.blocks[b], n), kept_.data(), trial_vx_.data(),
-                                         trial_vy_.data());
+        pair_kernels().pressure_gradient(pair_rows(n.blocks[b], n), kept_.data(), gradient_x_.data(),
+                                         gradient_y_.data());
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
         for (int i = n.blocks[b].first_row; i < last; ++i) {
-            trial_vx_[i] = vx[i] - scale * trial_vx_[i];
-            trial_vy_[i] = vy[i] - scale * trial_vy_[i];
+            trial_velocity_[i] = {static_cast<float>(vx[i] - scale * gradient_x_[i]),
+                                  static_cast<float>(vy[i] - scale * gradient_y_[i])};
         }
     });
     const double rate = step.correct_density ? 1.0 / std::max(relaxation_time_, 10.0 * dt) : 0.0;
     const auto wanted = [&](int node) { return rate * std::max(0.0, n.density[node] - 1.0); };
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        pair_kernels().velocity_divergence(pair_rows(n.blocks[b], n), trial_vx_.data(), trial_vy_.data(),
+        pair_kernels().velocity_divergence(pair_rows(n.blocks[b], n), trial_velocity_.data(),
                                            right_hand_side_.data());
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
         for (int i = n.blocks[b].first_row; i < last; ++i) {
@@ -98,7 +99,8 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
         double divergence = 0.0;
         for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) {
             const BoundaryPair& pair = n.boundary_pairs[k];
-            divergence += trial_vx_[pair.soil] * pair.gx + trial_vy_[pair.soil] * pair.gy;
+            divergence += static_cast<double>(trial_velocity_[pair.soil].x) * pair.gx +
+                          static_cast<double>(trial_velocity_[pair.soil].y) * pair.gy;
         }
         right_hand_side_[node] = (wanted(node) - divergence) / dt + product_[node];
     }

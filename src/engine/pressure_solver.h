@@ -77,7 +77,8 @@ class PressureSolver {
     int last_iterations_ = 0;
 
     // Node arrays.
-    std::vector<double> kept_, trial_vx_, trial_vy_;  ///< m p^n and the velocity under it
+    std::vector<double> kept_, gradient_x_, gradient_y_;  ///< m p^n and its gradient
+    std::vector<FloatPair> trial_velocity_;               ///< v* under m p^n, m/s
     std::vector<double> pressure_, right_hand_side_, diagonal_, residual_, correction_, direction_, product_;
     std::vector<char> free_;
     std::vector<int> aggregate_;

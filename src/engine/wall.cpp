@@ -159,6 +159,10 @@ Wall make_wall(const BedLine& bed, const Discretisation& d) {
     tie_dummies(wall, 2.0 * wall_layers * d.spacing);
     wall.grid.size = WendlandKernel(d.smoothing_length).support();
     wall.grid.sort(wall.x, wall.y, wall.x.size(), wall.order);
+    for (const int q : wall.order) {
+        wall.ordered_x.push_back(wall.x[q]);
+        wall.ordered_y.push_back(wall.y[q]);
+    }
     for (int b = 0; b < wall.boundary_count; ++b) {
         wall.segment.push_back(bed.nearest({wall.x[b], wall.y[b]}).segment);
     }

@@ -20,6 +20,7 @@ struct Wall {
     std::vector<int> segment;  ///< of the bed line, for boundary particles
     CellGrid grid;             ///< cells of one kernel support over all wall particles
     std::vector<int> order;    ///< wall particles by cell: grid.start indexes this
+    std::vector<double> ordered_x, ordered_y;  ///< positions in that order, m
 
     // What the other wall particles contribute to a boundary particle, constant in time.
     std::vector<double> kernel_sum;               ///< sum of W, itself included, 1/m2

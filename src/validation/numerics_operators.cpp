@@ -33,16 +33,16 @@ bool is_inside(const Soil& soil, int i) {
 /// Calls f(i, renormalised gradient) inside, for the velocity (u, v) as functions of x, y.
 template <class U, class V, class Function>
 void renormalised(const Cloud& cloud, const U& u, const V& v, const Function& f) {
-    std::vector<float> vx(cloud.n.nodes, 0.0F), vy(cloud.n.nodes, 0.0F);
+    std::vector<FloatPair> velocity(cloud.n.nodes);
     for (int i = 0; i < cloud.soil.count; ++i) {
-        vx[i] = static_cast<float>(u(cloud.soil.x[i], cloud.soil.y[i]));
-        vy[i] = static_cast<float>(v(cloud.soil.x[i], cloud.soil.y[i]));
+        velocity[i] = {static_cast<float>(u(cloud.soil.x[i], cloud.soil.y[i])),
+                       static_cast<float>(v(cloud.soil.x[i], cloud.soil.y[i]))};
     }
     for (const PairBlock& block : cloud.n.blocks) {
-        for_each_velocity_gradient(block, cloud.n, vx.data(), vy.data(),
-                                   [&](int i, const VelocityGradient& plain) {
-                                       if (is_inside(cloud.soil, i)) f(i, plain.corrected(cloud.n, i));
-                                   });
+        for_each_velocity_gradient(
+            block, cloud.n, velocity.data(), [&](int i, const VelocityGradient& plain) {
+                if (is_inside(cloud.soil, i)) f(i, plain.corrected(cloud.n, i));
+            });
     }
 }
 
