@@ -52,11 +52,14 @@ struct StressRotation {
     FloatPair* stress = nullptr;          ///< sxx and sxy, Pa
 };
 
-/// Which particles are near a point: those of [first, last) but `self`.
+/// Which particles are near a point: those of up to `max_ranges` ranges of a spatial order, but `self`.
 struct NearQuery {
+    static constexpr int max_ranges = 5;
     double x = 0, y = 0;  ///< m
     int self = -1;
-    int first = 0, last = 0;
+    int ranges = 0;
+    int first[max_ranges] = {};
+    int last[max_ranges] = {};
 };
 
 /// A list of pairs as plain arrays: separations in, geometry out.
@@ -115,7 +118,7 @@ struct PairKernels {
     /// out = sum_j k_ij x_j.
     void (*stiffness_product)(const PairRows& rows, const double* x, double* out);
     /// Writes index and separation of all that is nearer than the square root of `support2`, in order, and
-    /// returns how many. There must be room for last - first + 16 of them.
+    /// returns how many. There must be room for all of the ranges and 16 more.
     int (*select_near)(const double* x, const double* y, const NearQuery& query, float support2,
                        std::int32_t* column, float* dx, float* dy);
     /// Kernel, gradient and k of each pair of a list.

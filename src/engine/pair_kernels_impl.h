@@ -184,8 +184,7 @@ int select_near(const double* x, const double* y, const NearQuery& query, float 
     const __m512d py = _mm512_set1_pd(query.y);
     const __m512i self = _mm512_set1_epi32(query.self);
     const __m512 limit = _mm512_set1_ps(support2);
-    __m512i index = _mm512_add_epi32(_mm512_set1_epi32(query.first),
-                                     _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0));
+    const __m512i lane = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
     const auto separation = [](const double* from, int k, __mmask16 valid, __m512d to) {
         const __m512d low = _mm512_maskz_loadu_pd(static_cast<__mmask8>(valid), from + k);
         const __m512d high = _mm512_maskz_loadu_pd(static_cast<__mmask8>(valid >> 8), from + k + 8);
@@ -194,19 +193,21 @@ int select_near(const double* x, const double* y, const NearQuery& query, float 
         return _mm512_insertf32x8(_mm512_castps256_ps512(a), b, 1);
     };
     int count = 0;
-    for (int k = query.first; k < query.last; k += lanes) {
-        const int left = query.last - k;
-        const auto valid = static_cast<__mmask16>(left < lanes ? (1U << left) - 1U : 0xFFFFU);
-        const __m512 sx = separation(x, k, valid, px);
-        const __m512 sy = separation(y, k, valid, py);
-        const __m512 r2 = _mm512_add_ps(_mm512_mul_ps(sx, sx), _mm512_mul_ps(sy, sy));
-        const __mmask16 near = _mm512_mask_cmp_ps_mask(valid, r2, limit, _CMP_LT_OQ) &
-                               _mm512_cmpneq_epi32_mask(index, self);
-        _mm512_storeu_si512(column + count, _mm512_maskz_compress_epi32(near, index));
-        _mm512_storeu_ps(dx + count, _mm512_maskz_compress_ps(near, sx));
-        _mm512_storeu_ps(dy + count, _mm512_maskz_compress_ps(near, sy));
-        count += __builtin_popcount(near);
-        index = _mm512_add_epi32(index, _mm512_set1_epi32(lanes));
+    for (int r = 0; r < query.ranges; ++r) {
+        for (int k = query.first[r]; k < query.last[r]; k += lanes) {
+            const int left = query.last[r] - k;
+            const auto valid = static_cast<__mmask16>(left < lanes ? (1U << left) - 1U : 0xFFFFU);
+            const __m512i index = _mm512_add_epi32(_mm512_set1_epi32(k), lane);
+            const __m512 sx = separation(x, k, valid, px);
+            const __m512 sy = separation(y, k, valid, py);
+            const __m512 r2 = _mm512_add_ps(_mm512_mul_ps(sx, sx), _mm512_mul_ps(sy, sy));
+            const __mmask16 near = _mm512_mask_cmp_ps_mask(valid, r2, limit, _CMP_LT_OQ) &
+                                   _mm512_cmpneq_epi32_mask(index, self);
+            _mm512_storeu_si512(column + count, _mm512_maskz_compress_epi32(near, index));
+            _mm512_storeu_ps(dx + count, _mm512_maskz_compress_ps(near, sx));
+            _mm512_storeu_ps(dy + count, _mm512_maskz_compress_ps(near, sy));
+            count += __builtin_popcount(near);
+        }
     }
     return count;
 }
@@ -217,13 +218,15 @@ int select_near(const double* x, const double* y, const NearQuery& query, float 
 int select_near(const double* x, const double* y, const NearQuery& query, float support2, std::int32_t* column,
                 float* dx, float* dy) {
     int count = 0;
-    for (int k = query.first; k < query.last; ++k) {
-        const auto sx = static_cast<float>(query.x - x[k]);
-        const auto sy = static_cast<float>(query.y - y[k]);
-        column[count] = k;
-        dx[count] = sx;
-        dy[count] = sy;
-        count += static_cast<int>(sx * sx + sy * sy < support2) & static_cast<int>(k != query.self);
+    for (int r = 0; r < query.ranges; ++r) {
+        for (int k = query.first[r]; k < query.last[r]; ++k) {
+            const auto sx = static_cast<float>(query.x - x[k]);
+            const auto sy = static_cast<float>(query.y - y[k]);
+            column[count] = k;
+            dx[count] = sx;
+            dy[count] = sy;
+            count += static_cast<int>(sx * sx + sy * sy < support2) & static_cast<int>(k != query.self);
+        }
     }
     return count;
 }

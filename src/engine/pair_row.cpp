@@ -56,13 +56,21 @@ GeometryConstants geometry_constants(const WendlandKernel& kernel, const Discret
             static_cast<float>(d.eta2())};
 }
 
-/// Appends the particles [first, last) of a grid's order that lie within the support.
-void append(const PairFinder& finder, const std::vector<double>& px, const std::vector<double>& py,
-            const NearQuery& query, NearList& near) {
-    near.reserve(static_cast<std::size_t>(near.count + query.last - query.first + lanes));
-    near.count += pair_kernels().select_near(px.data(), py.data(), query, finder.support2,
-                                             near.column.data() + near.count, near.dx.data() + near.count,
-                                             near.dy.data() + near.count);
+/// Particles within the support of a point, out of the cells of a grid around it.
+void find(const PairFinder& finder, const CellGrid& grid, int reach, const std::vector<double>& px,
+          const std::vector<double>& py, NearQuery query, NearList& near) {
+    int candidates = 0;
+    grid.around(query.x, query.y, reach, [&](int first, int last) {
+        query.first[query.ranges] = first;
+        query.last[query.ranges] = last;
+        ++query.ranges;
+        candidates += last - first;
+    });
+    near.count = 0;
+    if (candidates == 0) return;
+    near.reserve(static_cast<std::size_t>(candidates + lanes));
+    near.count = pair_kernels().select_near(px.data(), py.data(), query, finder.support2, near.column.data(),
+                                            near.dx.data(), near.dy.data());
 }
 
 }  // namespace
@@ -74,22 +82,14 @@ PairFinder::PairFinder(const Discretisation& discretisation)
       support2(support * support) {}
 
 void PairFinder::find_soil(const CellGrid& grid, const Soil& soil, int i, NearList& near) const {
-    near.count = 0;
-    const double x = soil.x[i];
-    const double y = soil.y[i];
-    grid.around(x, y, cells_per_support, [&](int first, int last) {
-        append(*this, soil.x, soil.y, {x, y, i, first, last}, near);
-    });
+    find(*this, grid, cells_per_support, soil.x, soil.y, {.x = soil.x[i], .y = soil.y[i], .self = i}, near);
 }
 
 void PairFinder::find_wall(const Wall& wall, double x, double y, WallRow& row) const {
-    row.near.count = 0;
     row.merged.clear();
     row.sums = {};
     row.nearest_boundary = -1;
-    wall.grid.around(x, y, 1, [&](int first, int last) {
-        append(*this, wall.ordered_x, wall.ordered_y, {x, y, -1, first, last}, row.near);
-    });
+    find(*this, wall.grid, 1, wall.ordered_x, wall.ordered_y, {.x = x, .y = y}, row.near);
     if (row.near.count == 0) return;
     for (auto* field : {&row.gx, &row.gy, &row.stiffness, &row.kernel}) {
         if (field->size() < row.near.column.size()) field->resize(row.near.column.size());

@@ -14,6 +14,7 @@ namespace runout {
 
 /// Soil cells along one kernel support: smaller cells leave fewer candidates that are too far.
 constexpr int cells_per_support = 2;
+static_assert(2 * cells_per_support + 1 <= NearQuery::max_ranges);
 
 /// Particles within the support of one, in the order they were met. Separations in single precision, taken from
 /// positions in double: what one particle sees of a pair is the exact negative of what the other sees.

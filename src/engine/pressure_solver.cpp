@@ -61,7 +61,7 @@ void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& w
     for (int a = 0; a < n.active_count(); ++a) boundary_node_[n.active[a]] = n.first_boundary + a;
 }
 
-/// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n.
+/// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n. On return product = A p^n.
 void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
                                          const std::vector<double>& vy, const PressureStep& step) {
     right_hand_side_.assign(n.nodes, 0.0);
@@ -71,7 +71,7 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
     trial_velocity_.assign(n.nodes, FloatPair{});
     product_.assign(n.nodes, 0.0);
     for (int i = 0; i < n.nodes; ++i) kept_[i] = step.memory * pressure_[i];
-    multiply(n, wall, kept_, product_);
+    multiply(n, wall, pressure_, product_);
     const double dt = step.dt;
     const double scale = dt / discretisation_.density;
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
@@ -90,7 +90,7 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
                                            right_hand_side_.data());
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
         for (int i = n.blocks[b].first_row; i < last; ++i) {
-            right_hand_side_[i] = (wanted(i) - right_hand_side_[i]) / dt + product_[i];
+            right_hand_side_[i] = (wanted(i) - right_hand_side_[i]) / dt + step.memory * product_[i];
         }
     });
     for (int a = 0; a < n.active_count(); ++a) {
@@ -102,7 +102,7 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
             divergence += static_cast<double>(trial_velocity_[pair.soil].x) * pair.gx +
                           static_cast<double>(trial_velocity_[pair.soil].y) * pair.gy;
         }
-        right_hand_side_[node] = (wanted(node) - divergence) / dt + product_[node];
+        right_hand_side_[node] = (wanted(node) - divergence) / dt + step.memory * product_[node];
     }
 }
 
@@ -179,12 +179,11 @@ double PressureSolver::precondition() {
     });
 }
 
-/// Conjugate gradients from the pressure at hand.
+/// Conjugate gradients from the pressure at hand, whose product with A is at hand as well.
 PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
     PressureSolve result;
-    for (auto* field : {&residual_, &correction_, &direction_, &product_}) field->resize(pressure_.size());
+    for (auto* field : {&residual_, &correction_, &direction_}) field->resize(pressure_.size());
     std::fill(direction_.begin(), direction_.end(), 0.0);
-    multiply(n, wall, pressure_, product_);
     const double norm =
         std::sqrt(sum_nodes([&](int i) { return right_hand_side_[i] * right_hand_side_[i]; }));
     const double target = tolerance_ * norm;
