@@ -77,9 +77,11 @@ void write_wall_pairs(PairBlock& block, std::size_t first, int first_row, const 
 
 template <class T>
 void permute(std::vector<T>& values, const std::vector<int>& order, std::vector<T>& scratch) {
-    scratch.resize(order.size());
+    scratch.resize(values.size());
     for (std::size_t i = 0; i < order.size(); ++i) scratch[i] = values[order[i]];
-    std::copy(scratch.begin(), scratch.end(), values.begin());
+    std::copy(values.begin() + static_cast<long>(order.size()), values.end(),
+              scratch.begin() + static_cast<long>(order.size()));
+    values.swap(scratch);
 }
 
 }  // namespace
@@ -91,11 +93,15 @@ NeighbourSearch::NeighbourSearch(const Discretisation& discretisation, int threa
 
 void NeighbourSearch::sort(Soil& soil) {
     grid_.sort(soil.x, soil.y, soil.count, order_);
-    for (auto* field : {&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy}) {
-        permute(*field, order_, scratch_);
-    }
-    permute(soil.id, order_, int_scratch_);
-    permute(soil.aggregate, order_, int_scratch_);
+    const std::array numbers{&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy};
+    const std::array names{&soil.id, &soil.aggregate};
+    scratch_.resize(numbers.size());
+    name_scratch_.resize(names.size());
+    for_each_block(static_cast<int>(numbers.size() + names.size()), threads_, [&](int f) {
+        const auto field = static_cast<std::size_t>(f);
+        if (field < numbers.size()) return permute(*numbers[field], order_, scratch_[field]);
+        permute(*names[field - numbers.size()], order_, name_scratch_[field - numbers.size()]);
+    });
 }
 
 void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
@@ -185,7 +191,7 @@ void NeighbourSearch::fill_boundary_rows(const Wall& wall, const Soil& soil, Nei
     n.boundary_soil.assign(count, 0);
     n.density.resize(n.nodes);
     for (auto& component : n.correction) component.resize(n.nodes);
-    std::vector<double>& moment = scratch_;
+    std::vector<double>& moment = moment_;
     moment.assign(4 * count, 0.0);
     for (int a = 0; a < count; ++a) {
         n.density[n.first_boundary + a] = wall.kernel_sum[n.active[a]];

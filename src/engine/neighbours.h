@@ -94,8 +94,9 @@ class NeighbourSearch {
     int threads_;
     CellGrid grid_;
     std::vector<int> order_;
-    std::vector<double> scratch_;
-    std::vector<int> int_scratch_;
+    std::vector<std::vector<double>> scratch_;
+    std::vector<std::vector<int>> name_scratch_;
+    std::vector<double> moment_;
     std::vector<int> node_of_boundary_;
     std::vector<int> cursor_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 namespace runout {
@@ -12,15 +13,41 @@ void for_each_block(int count, int threads, const Function& f) {
     for (int i = 0; i < count; ++i) f(i);
 }
 
+/// Numbers that one thread works on at a time.
+constexpr int piece = 512;
+
+/// Calls f(first, last) for consecutive pieces of [0, size), on `threads` threads.
+template <class Function>
+void for_each_piece(int size, int threads, const Function& f) {
+    for_each_block((size + piece - 1) / piece, threads,
+                   [&](int p) { f(p * piece, std::min(size, (p + 1) * piece)); });
+}
+
 /// Sum of f(i) over i, each term computed on any thread and added in order: the same to the last bit for any
 /// number of threads. `partial` is scratch that keeps its memory from call to call.
-template <class Function>
-double sum_blocks(int count, int threads, std::vector<double>& partial, const Function& f) {
+template <class Term, class Function>
+Term sum_blocks(int count, int threads, std::vector<Term>& partial, const Function& f) {
     partial.resize(static_cast<std::size_t>(count));
     for_each_block(count, threads, [&](int i) { partial[static_cast<std::size_t>(i)] = f(i); });
-    double sum = 0.0;
-    for (const double term : partial) sum += term;
+    Term sum{};
+    for (const Term& term : partial) sum += term;
     return sum;
+}
+
+/// Sum of f(first, last) over consecutive pieces of [0, size), see sum_blocks.
+template <class Term, class Function>
+Term sum_pieces(int size, int threads, std::vector<Term>& partial, const Function& f) {
+    return sum_blocks((size + piece - 1) / piece, threads, partial,
+                      [&](int p) { return f(p * piece, std::min(size, (p + 1) * piece)); });
+}
+
+/// Greatest f(first, last) over consecutive pieces of [0, size), none below 0.
+template <class Function>
+double max_pieces(int size, int threads, std::vector<double>& partial, const Function& f) {
+    sum_pieces(size, threads, partial, f);
+    double greatest = 0.0;
+    for (const double term : partial) greatest = std::max(greatest, term);
+    return greatest;
 }
 
 }  // namespace runout

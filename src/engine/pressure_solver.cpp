@@ -13,7 +13,6 @@ constexpr int max_iterations = 1000;
 constexpr double coarse_cell_spacings = 4.0;
 constexpr double coarse_scale = 1.5;  // makes up for the piecewise constant coarse space
 constexpr int steps_per_coarse_build = 15;
-constexpr int node_chunk = 512;
 constexpr int boundary_chunk = 64;
 
 }  // namespace
@@ -128,22 +127,31 @@ void PressureSolver::refresh_coarse_level(const Neighbours& n, Soil& soil, const
     ++steps_since_build_;
 }
 
-void PressureSolver::multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x,
-                              std::vector<double>& out) {
-    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        pair_kernels().stiffness_product(pair_rows(n.blocks[b], n), x.data(), out.data());
-        const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
-        for (int i = n.blocks[b].first_row; i < last; ++i) out[i] = diagonal_[i] * x[i] - out[i];
-    });
+/// out = A x. Returns x . A x.
+double PressureSolver::multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x,
+                                std::vector<double>& out) {
+    const int blocks = static_cast<int>(n.blocks.size());
     const int chunks = (n.active_count() + boundary_chunk - 1) / boundary_chunk;
-    for_each_block(chunks, threads_, [&](int c) {
-        const int last = std::min(n.active_count(), (c + 1) * boundary_chunk);
-        for (int a = c * boundary_chunk; a < last; ++a) multiply_boundary_row(n, wall, a, x, out);
+    return sum_blocks(blocks + chunks, threads_, partial_, [&](int b) {
+        double sum = 0.0;
+        if (b < blocks) {
+            pair_kernels().stiffness_product(pair_rows(n.blocks[b], n), x.data(), out.data());
+            const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
+            for (int i = n.blocks[b].first_row; i < last; ++i) {
+                out[i] = diagonal_[i] * x[i] - out[i];
+                sum += x[i] * out[i];
+            }
+        } else {
+            const int first = (b - blocks) * boundary_chunk;
+            const int last = std::min(n.active_count(), first + boundary_chunk);
+            for (int a = first; a < last; ++a) sum += multiply_boundary_row(n, wall, a, x, out);
+        }
+        return sum;
     });
 }
 
-void PressureSolver::multiply_boundary_row(const Neighbours& n, const Wall& wall, int a,
-                                           const std::vector<double>& x, std::vector<double>& out) const {
+double PressureSolver::multiply_boundary_row(const Neighbours& n, const Wall& wall, int a,
+                                             const std::vector<double>& x, std::vector<double>& out) const {
     const int node = n.first_boundary + a;
     const int b = n.active[a];
     double sum = diagonal_[node] * x[node];
@@ -155,16 +163,16 @@ void PressureSolver::multiply_boundary_row(const Neighbours& n, const Wall& wall
         if (other >= 0) sum -= wall.neighbour_stiffness[k] * x[other];
     }
     out[node] = free_[node] ? sum : 0.0;
+    return x[node] * out[node];
 }
 
 /// Sum over all nodes of f(node), the same for any number of threads; f may write to its node.
 template <class Function>
 double PressureSolver::sum_nodes(const Function& f) {
     const int size = static_cast<int>(pressure_.size());
-    return sum_blocks((size + node_chunk - 1) / node_chunk, threads_, partial_, [&](int c) {
+    return sum_pieces(size, threads_, partial_, [&](int first, int last) {
         double sum = 0.0;
-        const int last = std::min(size, (c + 1) * node_chunk);
-        for (int i = c * node_chunk; i < last; ++i) sum += f(i);
+        for (int i = first; i < last; ++i) sum += f(i);
         return sum;
     });
 }
@@ -196,8 +204,7 @@ PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
         const double rz = precondition();
         const double beta = result.iterations == 0 ? 0.0 : rz / rz_old;
         sum_nodes([&](int i) { return direction_[i] = correction_[i] + beta * direction_[i]; });
-        multiply(n, wall, direction_, product_);
-        const double alpha = rz / sum_nodes([&](int i) { return direction_[i] * product_[i]; });
+        const double alpha = rz / multiply(n, wall, direction_, product_);
         left = std::sqrt(sum_nodes([&](int i) {
             pressure_[i] += alpha * direction_[i];
             residual_[i] -= alpha * product_[i];

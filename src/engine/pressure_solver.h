@@ -55,10 +55,10 @@ class PressureSolver {
     void set_right_hand_side(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
                              const std::vector<double>& vy, const PressureStep& step);
     void refresh_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall);
-    void multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x,
-                  std::vector<double>& out);
-    void multiply_boundary_row(const Neighbours& n, const Wall& wall, int a, const std::vector<double>& x,
-                               std::vector<double>& out) const;
+    double multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x,
+                    std::vector<double>& out);
+    double multiply_boundary_row(const Neighbours& n, const Wall& wall, int a, const std::vector<double>& x,
+                                 std::vector<double>& out) const;
     double precondition();
     template <class Function>
     double sum_nodes(const Function& f);

@@ -143,11 +143,14 @@ void Simulation::step() {
 /// The least of three limits: the Courant step of eq. 6; the same for the speed that gravity adds within the
 /// step; and the passage of a pressure wave, since the lattice of particles answers a change of pressure
 /// explicitly: without this one a pile at rest fluidises. Lone grains do not set the pace for all.
-double Simulation::choose_time_step() const {
-    double speed2 = 0.0;
-    for (int i = 0; i < soil_.count; ++i) {
-        if (in_body(i)) speed2 = std::max(speed2, soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i]);
-    }
+double Simulation::choose_time_step() {
+    const double speed2 = max_pieces(soil_.count, threads_, partial_, [&](int first, int last) {
+        double greatest = 0.0;
+        for (int i = first; i < last; ++i) {
+            if (in_body(i)) greatest = std::max(greatest, soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i]);
+        }
+        return greatest;
+    });
     const double dl = discretisation_.spacing;
     double dt = std::sqrt(run_.courant * dl / run_.gravity);
     if (speed2 > 0.0) dt = std::min(dt, run_.courant * dl / std::sqrt(speed2));
@@ -170,41 +173,50 @@ void Simulation::find_pressure_gradient() {
 void Simulation::correct(double dt) {
     const double scale = dt / discretisation_.density;
     find_pressure_gradient();
-    double friction = 0.0;
-    double pressure = 0.0;
-    for (int i = 0; i < soil_.count; ++i) {
-        const double px = -scale * force_x_[i];
-        const double py = -scale * force_y_[i];
-        const double fx = predicted_vx_[i] - soil_.vx[i];
-        const double fy = predicted_vy_[i] - soil_.vy[i] + dt * run_.gravity;
-        const double vx = predicted_vx_[i] + px;
-        const double vy = predicted_vy_[i] + py;
-        const double mean_x = 0.5 * (vx + soil_.vx[i]);
-        const double mean_y = 0.5 * (vy + soil_.vy[i]);
-        friction -= fx * mean_x + fy * mean_y;
-        pressure += px * mean_x + py * mean_y;
-        soil_.vx[i] = vx;
-        soil_.vy[i] = vy;
-    }
-    friction_work_ += discretisation_.mass() * friction;
-    pressure_work_ += discretisation_.mass() * pressure;
+    const auto update = [&](int first, int last) {
+        StepWork work;
+        for (int i = first; i < last; ++i) {
+            const double px = -scale * force_x_[i];
+            const double py = -scale * force_y_[i];
+            const double fx = predicted_vx_[i] - soil_.vx[i];
+            const double fy = predicted_vy_[i] - soil_.vy[i] + dt * run_.gravity;
+            const double vx = predicted_vx_[i] + px;
+            const double vy = predicted_vy_[i] + py;
+            const double mean_x = 0.5 * (vx + soil_.vx[i]);
+            const double mean_y = 0.5 * (vy + soil_.vy[i]);
+            work.friction -= fx * mean_x + fy * mean_y;
+            work.pressure += px * mean_x + py * mean_y;
+            soil_.vx[i] = vx;
+            soil_.vy[i] = vy;
+        }
+        return work;
+    };
+    const StepWork work = sum_pieces(soil_.count, threads_, partial_work_, update);
+    friction_work_ += discretisation_.mass() * work.friction;
+    pressure_work_ += discretisation_.mass() * work.pressure;
 }
 
 /// x += dt v^{n+1}: the mean of old and new velocity collapses the pile. A lone grain moves one spacing at
 /// most.
 void Simulation::move(double dt) {
-    for (int i = 0; i < soil_.count; ++i) {
-        double dx = dt * soil_.vx[i];
-        double dy = dt * soil_.vy[i];
-        const double size = std::sqrt(dx * dx + dy * dy);
-        if (size > discretisation_.spacing) {
-            dx *= discretisation_.spacing / size;
-            dy *= discretisation_.spacing / size;
+    const double limit = discretisation_.spacing;
+    const double highest = max_pieces(soil_.count, threads_, partial_, [&](int first, int last) {
+        double density = 0.0;
+        for (int i = first; i < last; ++i) {
+            double dx = dt * soil_.vx[i];
+            double dy = dt * soil_.vy[i];
+            const double size2 = dx * dx + dy * dy;
+            if (size2 > limit * limit) {
+                dx *= limit / std::sqrt(size2);
+                dy *= limit / std::sqrt(size2);
+            }
+            soil_.x[i] += dx;
+            soil_.y[i] += dy;
+            density = std::max(density, neighbours_.density[i]);
         }
-        soil_.x[i] += dx;
-        soil_.y[i] += dy;
-        work_.highest_density = std::max(work_.highest_density, neighbours_.density[i]);
-    }
+        return density;
+    });
+    work_.highest_density = std::max(work_.highest_density, highest);
 }
 
 /// No particle beyond the bed line: it is put back by at most half a spacing, and its velocity into the bed

@@ -35,6 +35,16 @@ struct EnergyBudget {
     double pressure_work = 0;  ///< given to the motion by pressure since release: the error of the projection
 };
 
+/// What friction took and pressure gave within one step, per mass of one particle, J/kg.
+struct StepWork {
+    double friction = 0, pressure = 0;
+    StepWork& operator+=(const StepWork& other) {
+        friction += other.friction;
+        pressure += other.pressure;
+        return *this;
+    }
+};
+
 /// Incompressible SPH of Coulomb soil from release to rest. The scene is copied into numbers; nothing of it
 /// is kept.
 class Simulation {
@@ -74,7 +84,7 @@ class Simulation {
     Simulation(const Scene& scene, const Packing& packing);
     void make_room();
     void balance();
-    [[nodiscard]] double choose_time_step() const;
+    [[nodiscard]] double choose_time_step();
     void find_pressure_gradient();
     void correct(double dt);
     void move(double dt);
@@ -109,6 +119,8 @@ class Simulation {
     PressureSolver pressure_;
     std::vector<double> predicted_vx_, predicted_vy_;
     std::vector<double> force_x_, force_y_;
+    std::vector<double> partial_;
+    std::vector<StepWork> partial_work_;
     std::vector<Vec2> start_;  ///< positions at release, by id
     std::vector<Vec2> mark_;   ///< positions when the rest window opened, by id
 
