@@ -142,17 +142,16 @@ TEST(Operators, CorrectedGradientIsExactForALinearField) {
     }
     int checked = 0;
     for (const PairBlock& block : f.n.blocks) {
-        for_each_velocity_gradient(block, f.n, velocity.data(),
-                                   [&](int i, const VelocityGradient& plain) {
-                                       if (f.n.nearest_boundary[i] >= 0) return;
-                                       const VelocityGradient g = plain.corrected(f.n, i);
-                                       EXPECT_NEAR(g.xx, 2, 3e-5);
-                                       EXPECT_NEAR(g.xy, -3, 3e-5);
-                                       EXPECT_NEAR(g.yx, 5, 3e-5);
-                                       EXPECT_NEAR(g.yy, 1, 3e-5);
-                                       EXPECT_NEAR(g.spin(), 4, 3e-5);
-                                       ++checked;
-                                   });
+        for_each_velocity_gradient(block, f.n, velocity.data(), [&](int i, const VelocityGradient& plain) {
+            if (f.n.nearest_boundary[i] >= 0) return;
+            const VelocityGradient g = plain.corrected(f.n, i);
+            EXPECT_NEAR(g.xx, 2, 3e-5);
+            EXPECT_NEAR(g.xy, -3, 3e-5);
+            EXPECT_NEAR(g.yx, 5, 3e-5);
+            EXPECT_NEAR(g.yy, 1, 3e-5);
+            EXPECT_NEAR(g.spin(), 4, 3e-5);
+            ++checked;
+        });
     }
     EXPECT_GT(checked, 80);
 }

@@ -37,7 +37,8 @@ void Friction::load(const Neighbours& n, const Soil& soil, const Wall& wall) {
     for (int a = 0; a < n.active_count(); ++a) {
         const int node = n.first_boundary + a;
         pressure_[node] = wall.pressure[n.active[a]];
-        stress_[node] = {static_cast<float>(wall.sxx[n.active[a]]), static_cast<float>(wall.sxy[n.active[a]])};
+        stress_[node] = {static_cast<float>(wall.sxx[n.active[a]]),
+                         static_cast<float>(wall.sxy[n.active[a]])};
     }
     for (int i = 0; i < n.nodes; ++i)
         strength_[i] = static_cast<float>(std::max(pressure_[i], 0.0) * sin_phi_);
@@ -99,7 +100,8 @@ void Friction::trial_velocity(const Neighbours& n, double dt) {
         pair_kernels().stress_divergence(pair_rows(n.blocks[b], n), ahead_.data(), force_.data());
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
         for (int i = n.blocks[b].first_row; i < last; ++i) {
-            velocity_[i] = {base_velocity_[i].x - scale * force_[i].x, base_velocity_[i].y - scale * force_[i].y};
+            velocity_[i] = {base_velocity_[i].x - scale * force_[i].x,
+                            base_velocity_[i].y - scale * force_[i].y};
         }
     });
 }
@@ -140,9 +142,8 @@ void Friction::yield_from_strain_rate(const Neighbours& n) {
         const double scale = rate > 0.0 ? strength_[i] / rate : 0.0;
         stress_[i] = {static_cast<float>(scale * g.exx()), static_cast<float>(scale * g.exy())};
     };
-    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        for_each_velocity_gradient(n.blocks[b], n, velocity_.data(), update);
-    });
+    for_each_block(static_cast<int>(n.blocks.size()), threads_,
+                   [&](int b) { for_each_velocity_gradient(n.blocks[b], n, velocity_.data(), update); });
     for (int a = 0; a < n.active_count(); ++a) {
         update(n.first_boundary + a, boundary_velocity_gradient(n, a, velocity_.data()));
     }

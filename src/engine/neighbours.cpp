@@ -41,8 +41,8 @@ void grow(PairBlock& block, std::size_t size) {
     block.stiffness.resize(size, 0.0F);
 }
 
-/// Writes the soil pairs of a slice, lane beside lane, and finds their geometry. Short lanes are filled up with
-/// separations of one support, of which nothing comes.
+/// Writes the soil pairs of a slice, lane beside lane, and finds their geometry. Short lanes are filled up
+/// with separations of one support, of which nothing comes.
 void write_soil_pairs(PairBlock& block, std::size_t first, int width, const SliceRows& rows,
                       const PairFinder& finder, SliceSums& sums) {
     for (int l = 0; l < lanes; ++l) {
@@ -153,7 +153,8 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
     }
 }
 
-void NeighbourSearch::write_sums(Neighbours& n, int i, const SliceSums& soil, int lane, const WallRow& wall) const {
+void NeighbourSearch::write_sums(Neighbours& n, int i, const SliceSums& soil, int lane,
+                                 const WallRow& wall) const {
     const RowSums& w = wall.sums;
     const double self = WendlandKernel(discretisation_.smoothing_length).value(0.0);
     n.density[i] = (self + soil.kernel[lane] + w.kernel) / discretisation_.lattice_sum;

@@ -22,8 +22,8 @@ struct PairRows {
     const float* stiffness = nullptr;
 };
 
-/// Two numbers of a node that are always wanted together, such as vx and vy or sxx and sxy, in one word: looking up
-/// scattered neighbours is what the pair loops spend their time on.
+/// Two numbers of a node that are always wanted together, such as vx and vy or sxx and sxy, in one word:
+/// looking up scattered neighbours is what the pair loops spend their time on.
 struct alignas(8) FloatPair {
     float x = 0, y = 0;
 };
@@ -36,9 +36,9 @@ struct VelocityGradients {
 /// One projected iteration of the friction, node arrays; see Friction.
 struct StressUpdate {
     const FloatPair* velocity = nullptr;  ///< trial velocity, m/s
-    const float* correction[4] = {};  ///< inverse moment matrix of eq. 9, row-major
-    const float* strength = nullptr;  ///< p sin(phi), Pa
-    float step = 0;                   ///< 2 r, Pa s
+    const float* correction[4] = {};      ///< inverse moment matrix of eq. 9, row-major
+    const float* strength = nullptr;      ///< p sin(phi), Pa
+    float step = 0;                       ///< 2 r, Pa s
     float momentum = 0;
     FloatPair* stress = nullptr;  ///< sxx and sxy, Pa
     FloatPair* ahead = nullptr;   ///< stress extrapolated by `momentum`
@@ -76,7 +76,7 @@ struct PairGeometry {
 /// The pairs of one slice: entry e of lane l stands at 16 e + l. Separations in, geometry out, in place; a
 /// separation of one support is no pair and comes out as zeros.
 struct SliceGeometry {
-    int width = 0;     ///< entries a lane
+    int width = 0;       ///< entries a lane
     float* x = nullptr;  ///< in: x_i - x_j, m; out: V gradW, 1/m
     float* y = nullptr;
     float* stiffness = nullptr;  ///< k_ij
@@ -84,7 +84,8 @@ struct SliceGeometry {
 
 /// Sums over the pairs of each lane of a slice, see RowSums.
 struct SliceSums {
-    float kernel[lanes], stiffness[lanes], surface_x[lanes], surface_y[lanes], xx[lanes], xy[lanes], yy[lanes];
+    float kernel[lanes], stiffness[lanes], surface_x[lanes], surface_y[lanes], xx[lanes], xy[lanes],
+        yy[lanes];
 };
 
 /// Constants of the kernel and of k_ij that the geometry needs, see WendlandKernel and Discretisation.
@@ -112,8 +113,8 @@ struct PairKernels {
     /// s <- bound(ahead + 2 r e(v)), |s| <= strength; then ahead <- s + momentum (s - old s). For the block's
     /// rows.
     void (*update_stress)(const PairRows& rows, const StressUpdate& update);
-    /// Turns s by the spin of the soil over dt (Jaumann; the rational form of the rotation keeps |s|). For the
-    /// block's rows.
+    /// Turns s by the spin of the soil over dt (Jaumann; the rational form of the rotation keeps |s|). For
+    /// the block's rows.
     void (*rotate_stress)(const PairRows& rows, const StressRotation& rotation);
     /// out = sum_j k_ij x_j.
     void (*stiffness_product)(const PairRows& rows, const double* x, double* out);

@@ -178,8 +178,8 @@ void stiffness_product(const PairRows& p, const double* x, double* out) {
 
 #if defined(__AVX512F__)
 
-int select_near(const double* x, const double* y, const NearQuery& query, float support2, std::int32_t* column,
-                float* dx, float* dy) {
+int select_near(const double* x, const double* y, const NearQuery& query, float support2,
+                std::int32_t* column, float* dx, float* dy) {
     const __m512d px = _mm512_set1_pd(query.x);
     const __m512d py = _mm512_set1_pd(query.y);
     const __m512i self = _mm512_set1_epi32(query.self);
@@ -201,8 +201,8 @@ int select_near(const double* x, const double* y, const NearQuery& query, float 
             const __m512 sx = separation(x, k, valid, px);
             const __m512 sy = separation(y, k, valid, py);
             const __m512 r2 = _mm512_add_ps(_mm512_mul_ps(sx, sx), _mm512_mul_ps(sy, sy));
-            const __mmask16 near = _mm512_mask_cmp_ps_mask(valid, r2, limit, _CMP_LT_OQ) &
-                                   _mm512_cmpneq_epi32_mask(index, self);
+            const __mmask16 near =
+                _mm512_mask_cmp_ps_mask(valid, r2, limit, _CMP_LT_OQ) & _mm512_cmpneq_epi32_mask(index, self);
             _mm512_storeu_si512(column + count, _mm512_maskz_compress_epi32(near, index));
             _mm512_storeu_ps(dx + count, _mm512_maskz_compress_ps(near, sx));
             _mm512_storeu_ps(dy + count, _mm512_maskz_compress_ps(near, sy));
@@ -215,8 +215,8 @@ int select_near(const double* x, const double* y, const NearQuery& query, float 
 #else
 
 /// Branchless: every candidate is written, and kept by moving on.
-int select_near(const double* x, const double* y, const NearQuery& query, float support2, std::int32_t* column,
-                float* dx, float* dy) {
+int select_near(const double* x, const double* y, const NearQuery& query, float support2,
+                std::int32_t* column, float* dx, float* dy) {
     int count = 0;
     for (int r = 0; r < query.ranges; ++r) {
         for (int k = query.first[r]; k < query.last[r]; ++k) {
@@ -292,9 +292,8 @@ void slice_geometry(const SliceGeometry& slice, const GeometryConstants& constan
 }
 
 constexpr PairKernels table() {
-    return {stress_divergence, pressure_gradient, velocity_divergence, velocity_gradient,
-            update_stress,     rotate_stress,     stiffness_product,   select_near,
-            pair_geometry,     slice_geometry};
+    return {stress_divergence, pressure_gradient, velocity_divergence, velocity_gradient, update_stress,
+            rotate_stress,     stiffness_product, select_near,         pair_geometry,     slice_geometry};
 }
 
 }  // namespace

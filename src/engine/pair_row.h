@@ -16,8 +16,8 @@ namespace runout {
 constexpr int cells_per_support = 2;
 static_assert(2 * cells_per_support + 1 <= NearQuery::max_ranges);
 
-/// Particles within the support of one, in the order they were met. Separations in single precision, taken from
-/// positions in double: what one particle sees of a pair is the exact negative of what the other sees.
+/// Particles within the support of one, in the order they were met. Separations in single precision, taken
+/// from positions in double: what one particle sees of a pair is the exact negative of what the other sees.
 struct NearList {
     int count = 0;
     std::vector<std::int32_t> column;

@@ -147,7 +147,8 @@ double Simulation::choose_time_step() {
     const double speed2 = max_pieces(soil_.count, threads_, partial_, [&](int first, int last) {
         double greatest = 0.0;
         for (int i = first; i < last; ++i) {
-            if (in_body(i)) greatest = std::max(greatest, soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i]);
+            if (in_body(i))
+                greatest = std::max(greatest, soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i]);
         }
         return greatest;
     });

@@ -17,9 +17,9 @@ struct Wall {
     std::vector<double> x, y;  ///< m
     std::vector<int> group;    ///< index of the boundary particle that speaks for this particle
     int boundary_count = 0;
-    std::vector<int> segment;  ///< of the bed line, for boundary particles
-    CellGrid grid;             ///< cells of one kernel support over all wall particles
-    std::vector<int> order;    ///< wall particles by cell: grid.start indexes this
+    std::vector<int> segment;                  ///< of the bed line, for boundary particles
+    CellGrid grid;                             ///< cells of one kernel support over all wall particles
+    std::vector<int> order;                    ///< wall particles by cell: grid.start indexes this
     std::vector<double> ordered_x, ordered_y;  ///< positions in that order, m
 
     // What the other wall particles contribute to a boundary particle, constant in time.

@@ -39,10 +39,10 @@ void renormalised(const Cloud& cloud, const U& u, const V& v, const Function& f)
                        static_cast<float>(v(cloud.soil.x[i], cloud.soil.y[i]))};
     }
     for (const PairBlock& block : cloud.n.blocks) {
-        for_each_velocity_gradient(
-            block, cloud.n, velocity.data(), [&](int i, const VelocityGradient& plain) {
-                if (is_inside(cloud.soil, i)) f(i, plain.corrected(cloud.n, i));
-            });
+        for_each_velocity_gradient(block, cloud.n, velocity.data(),
+                                   [&](int i, const VelocityGradient& plain) {
+                                       if (is_inside(cloud.soil, i)) f(i, plain.corrected(cloud.n, i));
+                                   });
     }
 }
 
