@@ -94,7 +94,7 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
     });
     for (int a = 0; a < n.active_count(); ++a) {
         const int node = n.first_boundary + a;
-        if (!free_[node]) continue;
+        if (!free_[node] || n.density[node] < surface_density) continue;
         double divergence = 0.0;
         for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) {
             const BoundaryPair& pair = n.boundary_pairs[k];
