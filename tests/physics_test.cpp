@@ -140,8 +140,8 @@ TEST(Properties, EnergyIsAccountedFor) {
     EXPECT_GT(end.friction_work, 0.96 * lost);
 }
 
-// Boundary particles that soil was just reaching took that for compression and braked the front: a tenth of the
-// energy of this box went there, and its run-out grew with every refinement.
+// Boundary particles that soil was just reaching took that for compression and braked the front: a tenth of
+// the energy of this box went there, and its run-out grew with every refinement.
 TEST(Properties, TheBedDoesNotBrakeAFrontThatReachesIt) {
     Simulation simulation(scenes::box(70.0, 0.385, 0.003));
     const double start = simulation.energy().potential;

@@ -21,8 +21,6 @@ const std::set<std::string>& known_outside() {
         "numerics: drop, lattice along the axes, R/dl = 24: short semi-axis / R",
         "numerics: drop, lattice along the axes, R/dl = 24: area from the semi-axes, over the start",
         "numerics: vortex, loss of kinetic energy in half a turn, observed order",
-        // The frozen lattice begins to slide in jerks: cases/slab/README.md.
-        "slab: acceleration, 45 deg, 10 thick, m/s2",
     };
     return names;
 }

@@ -35,10 +35,10 @@ struct PressureSolve {
 /// Dummies are eliminated (P^T A P), so the matrix is symmetric positive definite. At the free surface the
 /// missing neighbours are ghosts at p = 0: the diagonal is filled up to the lattice's sum of k
 /// (semi-Dirichlet), which keeps layers of one to three particles incompressible, as the paper's imposed
-/// pressure does not. A boundary particle that soil does not yet surround takes the mean of its neighbours: the
-/// density around it rises as soil arrives or thickens, which is no compression, and resisting it drags the front.
-/// Conjugate gradients with an additive two-level preconditioner. Negative pressure is cut
-/// off: dry soil bears no tension.
+/// pressure does not. A boundary particle that soil does not yet surround takes the mean of its neighbours:
+/// the density around it rises as soil arrives or thickens, which is no compression, and resisting it drags
+/// the front. Conjugate gradients with an additive two-level preconditioner. Negative pressure is cut off:
+/// dry soil bears no tension.
 class PressureSolver {
   public:
     /// `length`: scale of the mass, m, for the time in which excess density is worked off.

@@ -50,7 +50,6 @@ std::vector<PlannedRun> plan_slabs(bool quick) {
                         {"run.snapshot_times_s", slab_instants}};
         if (slab.base_friction_deg > 0)
             set.emplace_back("effects.base_friction.angle_deg", fmt::format("{}", slab.base_friction_deg));
-        plan.push_back({name_of(slab), "slab/case.toml", set});
         for (int seed = 1; seed <= 4; ++seed) {
             plan.push_back({lattices_of(name_of(slab))[seed - 1], "slab/case.toml", set});
             plan.back().set.emplace_back("run.lattice_seed", std::to_string(seed));
@@ -78,10 +77,6 @@ double exact_slab_acceleration(const Slab& slab) {
     return g * (std::sin(slope) - strength * std::cos(slope));
 }
 
-double standard_deviation(const std::vector<double>& values) {
-    return estimate_of(values, values).scatter;
-}
-
 ValidationEntry slab_entry(const CaseRuns& runs, const Slab& slab) {
     const double exact = exact_slab_acceleration(slab);
     ValidationEntry entry;
@@ -93,14 +88,17 @@ ValidationEntry slab_entry(const CaseRuns& runs, const Slab& slab) {
     entry.reference = exact;
     entry.accepted = slab.base_friction_deg > 0 ? 0.03 : slab.rows >= 5 ? 0.01 : 0.02;
     entry.computed = exact;
-    for (const Snapshot& state : runs.snapshots(name_of(slab))) {
-        const double found = slab_acceleration(state, slab);
-        if (!(std::abs(found - exact) <= std::abs(entry.computed - exact))) entry.computed = found;
+    entry.scatter = 0.0;
+    std::vector<std::vector<Snapshot>> lattices;
+    for (const std::string& id : lattices_of(name_of(slab))) lattices.push_back(runs.snapshots(id));
+    for (std::size_t instant = 0; instant < lattices.front().size(); ++instant) {
+        std::vector<double> found;
+        for (const auto& states : lattices) found.push_back(slab_acceleration(states.at(instant), slab));
+        const Estimate estimate = estimate_of(found, found);
+        if (std::abs(estimate.mean - exact) < std::abs(entry.computed - exact)) continue;
+        entry.computed = estimate.mean;
+        entry.scatter = estimate.scatter;
     }
-    std::vector<double> lattices;
-    for (const std::string& id : lattices_of(name_of(slab)))
-        lattices.push_back(slab_acceleration(runs.snapshots(id).back(), slab));
-    entry.scatter = standard_deviation(lattices);
     entry.resolution = fmt::format("{} x {} particles", slab.rows, slab_columns);
     return entry;
 }
@@ -109,9 +107,9 @@ CaseReport evaluate_slabs(const CaseRuns& runs, const std::string&, bool quick) 
     CaseReport report{.name = "slab", .title = "Slab on a rough plane, and on a base of less friction"};
     for (const Slab& slab : slabs(quick)) report.entries.push_back(slab_entry(runs, slab));
     report.remarks.emplace_back(
-        "Each acceleration is speed over time since release at that of nine instants from 0.01 to 0.09 s "
-        "where it "
-        "is furthest from the exact value. The scatter is that of four jittered lattices at 0.09 s.");
+        "Each acceleration is speed over time since release, the mean over four jittered lattices, at that "
+        "of nine "
+        "instants from 0.01 to 0.09 s where it is furthest from the exact value.");
     return report;
 }
 
