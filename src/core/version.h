@@ -4,7 +4,7 @@
 
 namespace runout {
 
-/// "0.1.0", the version of CMakeLists.txt.
+/// "0.2.0", the version of CMakeLists.txt.
 std::string program_version();
 
 /// Short git revision with "-dirty" when files differ from it; "unknown" outside a git checkout.
