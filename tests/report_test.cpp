@@ -7,6 +7,7 @@
 
 #include "example_run.h"
 #include "report/table.h"
+#include "report/time_table.h"
 #include "store/columns.h"
 
 namespace runout {
@@ -309,6 +310,16 @@ TEST(RunSummary, LongRunsAreInMinutes) {
     StoredRun run = slope_run();
     run.work.wall_s = 200.4;
     EXPECT_TRUE(has(run_summary(run), "3 min 20 s"));
+}
+
+TEST(TimeTable, SharesAddUp) {
+    const std::string text = time_table({{"neighbours", 0.5}, {"pressure", 1.5}});
+    EXPECT_EQ(text,
+              "Time in             s   share\n"
+              "neighbours      0.500    25 %\n"
+              "pressure        1.500    75 %\n");
+    EXPECT_EQ(time_table({}), "");
+    EXPECT_EQ(time_table({{"neighbours", 0.0}}), "");
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/node_array.h"
+
 namespace runout {
 
 /// Square cells over a window of the plane. Cells of one column are contiguous, so that three neighbouring
@@ -31,7 +33,7 @@ struct CellGrid {
         row0 = row(*y_low);
         columns = static_cast<int>(column(*x_high) - column0) + 1;
         rows = static_cast<int>(row(*y_high) - row0) + 1;
-        start.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) + 1, 0);
+        set_all(start, static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) + 1, 0);
     }
 
     /// Index of the cell of a point inside the window.

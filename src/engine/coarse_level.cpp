@@ -7,7 +7,24 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/node_array.h"
+
 namespace runout {
+namespace {
+
+constexpr int reach = 2;  // cells that a pair can span: supports merge through boundary particles
+constexpr int span = 2 * reach + 1;
+
+struct Cell {
+    long column, row;
+    friend bool operator==(const Cell&, const Cell&) = default;
+    friend auto operator<=>(const Cell&, const Cell&) = default;
+};
+
+/// Couplings of a cell with the 5 x 5 cells around it.
+using Stencil = std::array<double, span * span>;
+
+}  // namespace
 
 struct CoarseLevel::Factor {
     cholmod_common common{};
@@ -21,6 +38,10 @@ struct CoarseLevel::Factor {
     // The matrix, lower triangle by columns.
     std::vector<int> column_start, row;
     std::vector<double> value;
+
+    // What `build` works with, kept from call to call.
+    std::vector<Cell> cell_of, cells;
+    std::vector<Stencil> stencil;
 
     Factor() {
         cholmod_start(&common);
@@ -74,31 +95,21 @@ CoarseLevel::~CoarseLevel() = default;
 
 namespace {
 
-constexpr int reach = 2;  // cells that a pair can span: supports merge through boundary particles
-constexpr int span = 2 * reach + 1;
-
-struct Cell {
-    long column, row;
-    friend bool operator==(const Cell&, const Cell&) = default;
-    friend auto operator<=>(const Cell&, const Cell&) = default;
-};
-
 /// Numbers the cells that hold free nodes, in order of column and row.
-std::vector<Cell> number_cells(const std::vector<Cell>& cell_of, const std::vector<char>& free,
-                               std::vector<int>& aggregate) {
-    std::vector<Cell> cells;
+void number_cells(const std::vector<Cell>& cell_of, const std::vector<char>& free, std::vector<Cell>& cells,
+                  std::vector<int>& aggregate) {
+    cells.clear();
     for (std::size_t i = 0; i < cell_of.size(); ++i) {
         if (free[i]) cells.push_back(cell_of[i]);
     }
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    aggregate.assign(cell_of.size(), -1);
+    set_all(aggregate, cell_of.size(), -1);
     for (std::size_t i = 0; i < cell_of.size(); ++i) {
         if (!free[i]) continue;
         aggregate[i] =
             static_cast<int>(std::lower_bound(cells.begin(), cells.end(), cell_of[i]) - cells.begin());
     }
-    return cells;
 }
 
 }  // namespace
@@ -106,7 +117,11 @@ std::vector<Cell> number_cells(const std::vector<Cell>& cell_of, const std::vect
 void CoarseLevel::build(const Neighbours& n, const Soil& soil, const Wall& wall,
                         const std::vector<double>& diagonal, const std::vector<char>& free, double cell,
                         std::vector<int>& aggregate) {
-    std::vector<Cell> cell_of(n.nodes, Cell{0, 0});
+    Factor& f = *factor_;
+    std::vector<Cell>& cell_of = f.cell_of;
+    std::vector<Cell>& cells = f.cells;
+    std::vector<Stencil>& stencil = f.stencil;
+    set_all(cell_of, n.nodes, Cell{0, 0});
     const auto place = [&](int node, double x, double y) {
         cell_of[node] = {static_cast<long>(std::floor(x / cell)), static_cast<long>(std::floor(y / cell))};
     };
@@ -114,11 +129,9 @@ void CoarseLevel::build(const Neighbours& n, const Soil& soil, const Wall& wall,
     for (int a = 0; a < n.active_count(); ++a) {
         place(n.first_boundary + a, wall.x[n.active[a]], wall.y[n.active[a]]);
     }
-    const std::vector<Cell> cells = number_cells(cell_of, free, aggregate);
+    number_cells(cell_of, free, cells, aggregate);
 
-    // Couplings of a cell with the 5 x 5 cells around it.
-    std::vector<std::array<double, span * span>> stencil(cells.size());
-    for (auto& s : stencil) s.fill(0.0);
+    set_all(stencil, cells.size(), Stencil{});
     const auto add = [&](int i, int j, double value) {
         if (aggregate[i] < 0 || aggregate[j] < 0) return;
         const long dc = cell_of[j].column - cell_of[i].column;
@@ -148,7 +161,6 @@ void CoarseLevel::build(const Neighbours& n, const Soil& soil, const Wall& wall,
         }
     }
 
-    Factor& f = *factor_;
     f.size = static_cast<int>(cells.size());
     f.column_start.assign(1, 0);
     f.row.clear();
@@ -164,7 +176,7 @@ void CoarseLevel::build(const Neighbours& n, const Soil& soil, const Wall& wall,
         }
         f.column_start.push_back(static_cast<int>(f.row.size()));
     }
-    f.right_hand_side.resize(cells.size());
+    set_all(f.right_hand_side, cells.size(), 0.0);
     if (f.size > 0) f.factorise();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/node_array.h"
 #include "engine/operators.h"
 #include "engine/parallel.h"
 
@@ -24,11 +25,11 @@ Friction::Friction(const Discretisation& discretisation, const Material& materia
       threads_(threads) {}
 
 void Friction::load(const Neighbours& n, const Soil& soil, const Wall& wall) {
-    for (auto* field : {&pressure_, &pressure_x_, &pressure_y_}) field->assign(n.nodes, 0.0);
+    for (auto* field : {&pressure_, &pressure_x_, &pressure_y_}) set_all(*field, n.nodes, 0.0);
     for (auto* field : {&stress_, &ahead_, &base_velocity_, &velocity_, &force_}) {
-        field->assign(n.nodes, FloatPair{});
+        set_all(*field, n.nodes, FloatPair{});
     }
-    strength_.resize(n.nodes);
+    set_all(strength_, n.nodes, 0.0F);
     for (int i = 0; i < soil.count; ++i) {
         pressure_[i] = soil.pressure[i];
         stress_[i] = {static_cast<float>(soil.sxx[i]), static_cast<float>(soil.sxy[i])};
@@ -153,8 +154,8 @@ void Friction::yield_from_strain_rate(const Neighbours& n) {
 void Friction::final_velocity(const Neighbours& n, const Soil& soil, double dt, std::vector<double>& vx,
                               std::vector<double>& vy) {
     const double scale = dt / discretisation_.density;
-    vx.assign(n.nodes, 0.0);
-    vy.assign(n.nodes, 0.0);
+    set_all(vx, n.nodes, 0.0);
+    set_all(vy, n.nodes, 0.0);
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
         pair_kernels().stress_divergence(pair_rows(n.blocks[b], n), stress_.data(), force_.data());
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/node_array.h"
 #include "engine/pair_row.h"
 #include "engine/parallel.h"
 
@@ -35,6 +36,8 @@ void clear(PairBlock& block) {
 }
 
 void grow(PairBlock& block, std::size_t size) {
+    make_room(block.column, size);
+    for (auto* field : {&block.gx, &block.gy, &block.stiffness}) make_room(*field, size);
     block.column.resize(size, 0);
     block.gx.resize(size, 0.0F);
     block.gy.resize(size, 0.0F);
@@ -188,12 +191,16 @@ void NeighbourSearch::number_boundary(const Soil& soil, const Wall& wall, Neighb
 
 void NeighbourSearch::fill_boundary_rows(const Wall& wall, const Soil& soil, Neighbours& n) {
     const int count = n.active_count();
-    n.boundary_start.assign(count + 1, 0);
-    n.boundary_soil.assign(count, 0);
+    set_all(n.boundary_start, count + 1, 0);
+    set_all(n.boundary_soil, count, 0);
+    make_room(n.density, n.nodes);
     n.density.resize(n.nodes);
-    for (auto& component : n.correction) component.resize(n.nodes);
+    for (auto& component : n.correction) {
+        make_room(component, n.nodes);
+        component.resize(n.nodes);
+    }
     std::vector<double>& moment = moment_;
-    moment.assign(4 * count, 0.0);
+    set_all(moment, 4 * count, 0.0);
     for (int a = 0; a < count; ++a) {
         n.density[n.first_boundary + a] = wall.kernel_sum[n.active[a]];
         for (int c = 0; c < 4; ++c) moment[4 * a + c] = wall.moment[4 * n.active[a] + c];
@@ -204,7 +211,9 @@ void NeighbourSearch::fill_boundary_rows(const Wall& wall, const Soil& soil, Nei
         }
     }
     for (int a = 0; a < count; ++a) n.boundary_start[a + 1] += n.boundary_start[a];
+    make_room(n.boundary_pairs, n.boundary_start[count]);
     n.boundary_pairs.resize(n.boundary_start[count]);
+    make_room(cursor_, n.boundary_start.size());
     cursor_.assign(n.boundary_start.begin(), n.boundary_start.end());
     for (const PairBlock& block : n.blocks) {
         for (const WallPair& pair : block.wall_pairs) {

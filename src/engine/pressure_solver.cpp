@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/node_array.h"
 #include "engine/operators.h"
 #include "engine/parallel.h"
 
@@ -26,9 +27,9 @@ PressureSolver::PressureSolver(const Discretisation& discretisation, double grav
       threads_(threads) {}
 
 void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& wall) {
-    pressure_.assign(n.nodes, 0.0);
-    diagonal_.assign(n.nodes, 1.0);
-    free_.assign(n.nodes, 0);
+    set_all(pressure_, n.nodes, 0.0);
+    set_all(diagonal_, n.nodes, 1.0);
+    set_all(free_, n.nodes, char{0});
     for (int i = 0; i < soil.count; ++i) {
         pressure_[i] = soil.pressure[i];
         free_[i] = 1;
@@ -63,12 +64,12 @@ void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& w
 /// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n. On return product = A p^n.
 void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
                                          const std::vector<double>& vy, const PressureStep& step) {
-    right_hand_side_.assign(n.nodes, 0.0);
-    kept_.assign(n.nodes, 0.0);
-    gradient_x_.resize(n.nodes);
-    gradient_y_.resize(n.nodes);
-    trial_velocity_.assign(n.nodes, FloatPair{});
-    product_.assign(n.nodes, 0.0);
+    set_all(right_hand_side_, n.nodes, 0.0);
+    set_all(kept_, n.nodes, 0.0);
+    set_all(gradient_x_, n.nodes, 0.0);
+    set_all(gradient_y_, n.nodes, 0.0);
+    set_all(trial_velocity_, n.nodes, FloatPair{});
+    set_all(product_, n.nodes, 0.0);
     for (int i = 0; i < n.nodes; ++i) kept_[i] = step.memory * pressure_[i];
     multiply(n, wall, pressure_, product_);
     const double dt = step.dt;
@@ -106,7 +107,7 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
 }
 
 void PressureSolver::refresh_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall) {
-    aggregate_.assign(n.nodes, -1);
+    set_all(aggregate_, n.nodes, -1);
     const bool worn = steps_since_build_ >= steps_per_coarse_build ||
                       last_iterations_ > iterations_after_build_ + iterations_after_build_ / 2 + 3;
     if (wall_aggregate_.empty() || worn) {
@@ -190,8 +191,7 @@ double PressureSolver::precondition() {
 /// Conjugate gradients from the pressure at hand, whose product with A is at hand as well.
 PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
     PressureSolve result;
-    for (auto* field : {&residual_, &correction_, &direction_}) field->resize(pressure_.size());
-    std::fill(direction_.begin(), direction_.end(), 0.0);
+    for (auto* field : {&residual_, &correction_, &direction_}) set_all(*field, n.nodes, 0.0);
     const double norm =
         std::sqrt(sum_nodes([&](int i) { return right_hand_side_[i] * right_hand_side_[i]; }));
     const double target = tolerance_ * norm;

@@ -11,6 +11,7 @@
 #include "program/interrupt.h"
 #include "program/progress_line.h"
 #include "report/table.h"
+#include "report/time_table.h"
 #include "scene/scene.h"
 #include "store/store.h"
 
@@ -72,6 +73,7 @@ int run(const RunArguments& arguments) {
         failure = std::current_exception();  // a full disk must not cost the answer: print it first
     }
     print_run(run, arguments.json);
+    if (!arguments.json) fmt::print("{}", time_table(result.phases));
     if (failure) std::rethrow_exception(failure);
     if (store) spdlog::info("stored as run {} in {}", run.run_id, arguments.database);
     return exit_code_of(result);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace runout {
+
+/// Takes room in advance: the numbers of nodes, pairs and cells grow by a few from step to step as soil
+/// reaches more of the bed, and not each step shall allocate.
+template <class T>
+void make_room(std::vector<T>& array, std::size_t size) {
+    if (array.capacity() < size) array.reserve(size + size / 4);
+}
+
+/// Gives an array `size` elements of one value.
+template <class T>
+void set_all(std::vector<T>& array, std::size_t size, const T& value) {
+    make_room(array, size);
+    array.assign(size, value);
+}
+
+}  // namespace runout
