@@ -132,6 +132,25 @@ TEST(NeighboursTest, FindsEveryPairThatBruteForceFinds) {
     }
 }
 
+TEST(NeighboursTest, GrainsThatFlyAloneHaveTheDensityOfOne) {
+    // More of them than stand in a slice of rows: none of its rows has a pair.
+    const Discretisation d = make_discretisation(spacing, 1.3, density);
+    std::vector<double> x;
+    for (int i = 0; i < 2 * lanes; ++i) x.push_back(i * 10 * spacing);
+    Soil soil = soil_at(x, std::vector<double>(x.size(), 1.0));
+    const Wall wall = make_wall(BedLine({{-1, -1}, {1, -1}}), d);
+    NeighbourSearch search(d, 1);
+    Neighbours n;
+    search.sort(soil);
+    search.find(soil, wall, n);
+    const double alone = WendlandKernel(d.smoothing_length).value(0.0) / d.lattice_sum;
+    EXPECT_LT(alone, 0.6);
+    for (int i = 0; i < soil.count; ++i) {
+        EXPECT_DOUBLE_EQ(n.density[i], alone);
+        EXPECT_EQ(n.correction[0][i], 1.0F);
+    }
+}
+
 TEST(Operators, CorrectedGradientIsExactForALinearField) {
     Filled f(15);
     // v = (2x - 3y, 5x + y) vanishes nowhere on the wall, so only rows away from it are looked at.

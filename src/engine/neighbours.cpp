@@ -146,10 +146,11 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
         const std::size_t first = block.column.size();
         grow(block, first + width * lanes);
         block.offset[slice + 1] = static_cast<int>(block.column.size());
-        if (width == 0) continue;
-        SliceSums sums;
-        write_soil_pairs(block, first, soil_width, rows, finder, sums);
-        write_wall_pairs(block, first, first_row, rows);
+        SliceSums sums{};
+        if (width > 0) {
+            write_soil_pairs(block, first, soil_width, rows, finder, sums);
+            write_wall_pairs(block, first, first_row, rows);
+        }
         for (int l = 0; l < lanes && first_row + l < soil.count; ++l) {
             write_sums(n, first_row + l, sums, l, rows.wall[l]);
         }
