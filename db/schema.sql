@@ -8,7 +8,7 @@
 -- A change of the format raises user_version and adds a step to src/store/migrations.cpp.
 
 PRAGMA application_id = 1381322319;  -- the letters RUNO
-PRAGMA user_version = 2;
+PRAGMA user_version = 3;
 
 -- The ground along a section before the failure. Two files with the same ground share one row, so the name
 -- of the file belongs to the run.
@@ -87,6 +87,17 @@ CREATE TABLE scenario (
 ) STRICT;
 CREATE INDEX scenario_of_source ON scenario (source_id);
 
+-- What a scenario says of each effect that goes beyond the core, as its case file would: value in the unit of
+-- the key. An effect that is absent has no rows.
+CREATE TABLE effect_setting (
+    scenario_id    INTEGER NOT NULL REFERENCES scenario ON DELETE CASCADE,
+    setting_index  INTEGER NOT NULL,
+    effect         TEXT NOT NULL,       -- "cohesion", as in [effects.cohesion]
+    key            TEXT NOT NULL,
+    value          TEXT NOT NULL,
+    PRIMARY KEY (scenario_id, setting_index)
+) STRICT, WITHOUT ROWID;
+
 -- How a run can end. Only runs with is_result = 1 may stand in a table or on a map.
 CREATE TABLE run_status (
     status     TEXT PRIMARY KEY,
@@ -158,7 +169,8 @@ CREATE TABLE measure (
     toe_thickness_m         REAL,   -- thickness by top at the toe of the cut
     peak_front_speed_m_s    REAL,   -- greatest speed of the 99.5 % mass point
     time_to_rest_s          REAL,   -- simulated time at which motion ended
-    stray_particles         REAL    -- particles not connected to the deposit
+    stray_particles         REAL,   -- particles not connected to the deposit
+    eroded_area_m2          REAL    -- soil of an erodible bed that has moved; NULL: the bed is rigid
 ) STRICT;
 
 -- The whole mass over simulated time.
@@ -208,6 +220,79 @@ CREATE TABLE stage (
     surface_angle_deg  REAL,     -- of the free surface in the middle part of the deposit
     deposit_height_m   REAL,
     run_out_m          REAL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT, WITHOUT ROWID;
+
+-- Every effect the program knows: on or off in this run, what that means, and what it cost.
+CREATE TABLE run_effect (
+    run_id     INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index  INTEGER NOT NULL,
+    effect     TEXT NOT NULL,
+    is_on      INTEGER NOT NULL CHECK (is_on IN (0, 1)),
+    why        TEXT NOT NULL,
+    cost_s     REAL,               -- wall seconds of work of its own; NULL: none apart from the rest of the step
+    PRIMARY KEY (run_id, row_index)
+) STRICT, WITHOUT ROWID;
+
+-- Sentences about effects that were off and may matter.
+CREATE TABLE advice (
+    run_id     INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index  INTEGER NOT NULL,
+    sentence   TEXT NOT NULL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT, WITHOUT ROWID;
+
+-- What passed the places where the case asks for it.
+CREATE TABLE gauge (
+    run_id                   INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    gauge_index              INTEGER NOT NULL,
+    name                     TEXT NOT NULL,
+    chainage_m               REAL,
+    arrival_time_s           REAL,     -- of a front as thick as front_thickness_m; NULL: none arrived
+    greatest_thickness_m     REAL,
+    greatest_speed_m_s       REAL,     -- mean over depth
+    greatest_kinetic_head_m  REAL,     -- speed^2 / 2g
+    passed_area_m2           REAL,     -- soil that has passed, net
+    PRIMARY KEY (run_id, gauge_index)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE gauge_series (
+    run_id          INTEGER NOT NULL,
+    gauge_index     INTEGER NOT NULL,
+    row_index       INTEGER NOT NULL,
+    time_s          REAL,
+    thickness_m     REAL,
+    speed_m_s       REAL,
+    kinetic_head_m  REAL,
+    passed_area_m2  REAL,
+    PRIMARY KEY (run_id, gauge_index, row_index),
+    FOREIGN KEY (run_id, gauge_index) REFERENCES gauge ON DELETE CASCADE
+) STRICT, WITHOUT ROWID;
+
+-- What the debris did to the barrier, per metre of width; x towards the run-out.
+CREATE TABLE barrier (
+    run_id                 INTEGER PRIMARY KEY REFERENCES run ON DELETE CASCADE,
+    arrival_time_s         REAL,    -- NULL: nothing arrived
+    greatest_force_n_m     REAL,    -- horizontal, mean over an interval of barrier_series
+    greatest_force_time_s  REAL,
+    greatest_moment_n      REAL,    -- about the foot of its face, overturning towards the run-out
+    impulse_n_s_m          REAL,    -- horizontal, of the whole run
+    last_force_n_m         REAL,    -- horizontal, when the run ended
+    run_up_m               REAL,    -- above the foot
+    overtopped_area_m2     REAL,    -- beyond the barrier when the run ended
+    approach_speed_m_s     REAL,
+    approach_thickness_m   REAL,
+    design_force_n_m       REAL     -- alpha rho v^2 h of the approach
+) STRICT;
+
+CREATE TABLE barrier_series (
+    run_id           INTEGER NOT NULL REFERENCES barrier ON DELETE CASCADE,
+    row_index        INTEGER NOT NULL,
+    time_s           REAL,
+    force_x_n_m      REAL,
+    force_y_n_m      REAL,
+    moment_n         REAL,
+    impulse_x_n_s_m  REAL,
     PRIMARY KEY (run_id, row_index)
 ) STRICT, WITHOUT ROWID;
 

@@ -19,6 +19,7 @@ constexpr const char* examples = R"(Examples:
   runout run section.csv --source B --base-angle 35 --scarp-angle 80 --friction-angle 38
   runout run case.toml --set material.friction_angle_deg=35 --db study.db --json
   runout source section.csv --source C --height 12 --area 60
+  runout effects case.toml
   runout table runout.db --format csv
   runout validate --quick
   runout help keys
@@ -52,7 +53,7 @@ int parse_failure(const CLI::App& app, const CLI::ParseError& error, const std::
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
     if (!first_word.empty() && names_no_subcommand(app, first_word))
         return fail(exit_code::input_error, "error",
-                    fmt::format("{} is not a subcommand; known are run, source, table, validate and help",
+                    fmt::format("{} is not a subcommand; known are run, source, effects, table, validate and help",
                                 first_word));
     return fail(exit_code::input_error, "error", fmt::format("{}; see runout --help", error.what()));
 }
@@ -70,6 +71,7 @@ int run_program(int argc, char** argv) {
     Command command;
     add_run_command(app, command);
     add_source_command(app, command);
+    add_effects_command(app, command);
     add_table_command(app, command);
     add_validate_command(app, command);
     add_help_command(app, command);

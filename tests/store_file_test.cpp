@@ -212,8 +212,8 @@ TEST_F(ForeignFile, GeoPackage) {
 
 TEST_F(ForeignFile, NewerVersion) {
     add(example_scene(), example_result());
-    raw().exec("PRAGMA user_version = 3");
-    expect_refused("is of database version 3, written by a newer Runout; this Runout knows versions up to 2");
+    raw().exec("PRAGMA user_version = 4");
+    expect_refused("is of database version 4, written by a newer Runout; this Runout knows versions up to 3");
 }
 
 TEST_F(ForeignFile, ImpossibleVersion) {
@@ -369,7 +369,9 @@ std::set<std::string> format_of(SQLite::Database& database) {
 
 /// What a program of version 1 would have written: the format as it is now without what version 2 added.
 void take_back_to_version_one(SQLite::Database& database) {
-    database.exec("DROP TABLE snapshot; DROP TABLE stage; PRAGMA user_version = 1");
+    database.exec("DROP TABLE snapshot; DROP TABLE stage; DROP TABLE effect_setting; DROP TABLE run_effect;"
+                  " DROP TABLE advice; DROP TABLE gauge_series; DROP TABLE gauge; DROP TABLE barrier_series;"
+                  " DROP TABLE barrier; ALTER TABLE measure DROP COLUMN eroded_area_m2; PRAGMA user_version = 1");
     for (const char* column : {"lattice_seed", "snapshot_times_s", "base_friction_angle_deg",
                                "release_layers", "release_layer_width_m", "release_layer_height_m"})
         database.exec(std::string("ALTER TABLE scenario DROP COLUMN ") + column);
@@ -390,7 +392,7 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     Store store(path, Store::Mode::write);
     SQLite::Database file = raw();
     EXPECT_EQ(format_of(file), wanted);
-    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 2);
+    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 3);
     EXPECT_EQ(store.run(id).name, example_scene().name);
     EXPECT_EQ(store.run(id).measures.run_out_m, result.measures.run_out_m);
     EXPECT_EQ(store.series(id).size(), result.series.size());

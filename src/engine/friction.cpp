@@ -9,17 +9,10 @@
 
 namespace runout {
 
-double interface_strength(const Material& material, const Effects& effects) {
-    const double own = std::sin(material.friction_angle);
-    return effects.base_friction ? std::min(own, std::tan(effects.base_friction->angle)) : own;
-}
-
-Friction::Friction(const Discretisation& discretisation, const Material& material, const Effects& effects,
-                   const RunSettings& run, int threads)
+Friction::Friction(const Discretisation& discretisation, YieldStrength yield, const RunSettings& run,
+                   int threads)
     : discretisation_(discretisation),
-      sin_phi_(std::sin(material.friction_angle)),
-      interface_strength_(interface_strength(material, effects)),
-      gravity_(run.gravity),
+      yield_(std::move(yield)),
       scheme_(run.friction),
       iterations_(run.friction_iterations),
       threads_(threads) {}
@@ -41,19 +34,20 @@ void Friction::load(const Neighbours& n, const Soil& soil, const Wall& wall) {
         stress_[node] = {static_cast<float>(wall.sxx[n.active[a]]),
                          static_cast<float>(wall.sxy[n.active[a]])};
     }
-    for (int i = 0; i < n.nodes; ++i)
-        strength_[i] = static_cast<float>(std::max(pressure_[i], 0.0) * sin_phi_);
-    if (interface_strength_ < sin_phi_) weaken_interface(n);
 }
 
-void Friction::weaken_interface(const Neighbours& n) {
-    const auto weaken = [&](int node) {
-        strength_[node] = static_cast<float>(std::max(pressure_[node], 0.0) * interface_strength_);
+/// |e| of the velocity at the start of the step.
+void Friction::find_strain_rate(const Neighbours& n) {
+    strain_rate_.assign(n.nodes, 0.0);
+    const auto note = [&](int i, const VelocityGradient& plain) {
+        const VelocityGradient g = plain.corrected(n, i);
+        strain_rate_[i] = std::hypot(g.exx(), g.exy());
     };
-    for (int i = 0; i < n.soil_count; ++i) {
-        if (n.nearest_boundary[i] >= 0) weaken(i);
-    }
-    for (int a = 0; a < n.active_count(); ++a) weaken(n.first_boundary + a);
+    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
+        for_each_velocity_gradient(n.blocks[b], n, velocity_.data(), note);
+    });
+    for (int a = 0; a < n.active_count(); ++a)
+        note(n.first_boundary + a, boundary_velocity_gradient(n, a, velocity_.data()));
 }
 
 void Friction::save(const Neighbours& n, Soil& soil, Wall& wall) const {
@@ -70,15 +64,16 @@ void Friction::save(const Neighbours& n, Soil& soil, Wall& wall) const {
 }
 
 /// On return base velocity = v^n + dt (g - grad p / rho): the last known pressure included.
-void Friction::apply_pressure(const Neighbours& n, const Soil& soil, double dt) {
-    const double scale = dt / discretisation_.density;
+void Friction::apply_pressure(const Neighbours& n, const Soil& soil, const FrictionStep& step) {
+    const double scale = step.dt / discretisation_.density;
+    const Vec2 gain = step.dt * step.body;
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
         pair_kernels().pressure_gradient(pair_rows(n.blocks[b], n), pressure_.data(), pressure_x_.data(),
                                          pressure_y_.data());
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
         for (int i = n.blocks[b].first_row; i < last; ++i) {
-            base_velocity_[i] = {static_cast<float>(soil.vx[i] - scale * pressure_x_[i]),
-                                 static_cast<float>(soil.vy[i] - scale * pressure_y_[i] - dt * gravity_)};
+            base_velocity_[i] = {static_cast<float>(soil.vx[i] - scale * pressure_x_[i] + gain.x()),
+                                 static_cast<float>(soil.vy[i] - scale * pressure_y_[i] + gain.y())};
         }
     });
 }
@@ -151,39 +146,44 @@ void Friction::yield_from_strain_rate(const Neighbours& n) {
 }
 
 /// On return v* = v^n + dt (g - div s / rho), eq. 3.
-void Friction::final_velocity(const Neighbours& n, const Soil& soil, double dt, std::vector<double>& vx,
-                              std::vector<double>& vy) {
-    const double scale = dt / discretisation_.density;
+void Friction::final_velocity(const Neighbours& n, const Soil& soil, const FrictionStep& step,
+                              std::vector<double>& vx, std::vector<double>& vy) {
+    const double scale = step.dt / discretisation_.density;
+    const Vec2 gain = step.dt * step.body;
     set_all(vx, n.nodes, 0.0);
     set_all(vy, n.nodes, 0.0);
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
         pair_kernels().stress_divergence(pair_rows(n.blocks[b], n), stress_.data(), force_.data());
         const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
         for (int i = n.blocks[b].first_row; i < last; ++i) {
-            vx[i] = soil.vx[i] - scale * force_[i].x;
-            vy[i] = soil.vy[i] - scale * force_[i].y - dt * gravity_;
+            vx[i] = soil.vx[i] - scale * force_[i].x + gain.x();
+            vy[i] = soil.vy[i] - scale * force_[i].y + gain.y();
         }
     });
 }
 
-void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, double dt, std::vector<double>& vx,
-                       std::vector<double>& vy, int iterations) {
+void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const FrictionStep& step,
+                       std::vector<double>& vx, std::vector<double>& vy) {
+    static const std::vector<double> dry;
     load(n, soil, wall);
+    if (yield_.depends_on_rate()) find_strain_rate(n);
+    yield_.find(n, pressure_, step.pore_pressure != nullptr ? *step.pore_pressure : dry, strain_rate_, strength_);
+    const double dt = step.dt;
     if (scheme_ == FrictionScheme::explicit_) {
         yield_from_strain_rate(n);
     } else {
-        apply_pressure(n, soil, dt);
+        apply_pressure(n, soil, step);
         rotate(n, dt);
         ahead_ = stress_;
         double t = 1.0;  // Nesterov's sequence
-        for (int k = 0; k < (iterations > 0 ? iterations : iterations_); ++k) {
+        for (int k = 0; k < (step.iterations > 0 ? step.iterations : iterations_); ++k) {
             const double next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * t * t));
             trial_velocity(n, dt);
             project(n, dt, (t - 1.0) / next);
             t = next;
         }
     }
-    final_velocity(n, soil, dt, vx, vy);
+    final_velocity(n, soil, step, vx, vy);
     save(n, soil, wall);
 }
 

@@ -15,6 +15,7 @@ constexpr double coarse_cell_spacings = 4.0;
 constexpr double coarse_scale = 1.5;  // makes up for the piecewise constant coarse space
 constexpr int steps_per_coarse_build = 15;
 constexpr int boundary_chunk = 64;
+constexpr double tension_density = 0.6;  // loose grains do not pull at each other
 
 }  // namespace
 
@@ -218,6 +219,17 @@ PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
     return result;
 }
 
+/// Negative pressure is cut off, at zero unless the soil is cohesive; at a free surface always, where it
+/// would draw grains together that do not touch.
+void PressureSolver::cut_off_tension(const Neighbours& n) {
+    if (tension_ == 0.0) {
+        for (double& p : pressure_) p = std::max(p, 0.0);
+        return;
+    }
+    for (int i = 0; i < n.nodes; ++i)
+        pressure_[i] = std::max(pressure_[i], n.density[i] < tension_density ? 0.0 : -tension_);
+}
+
 PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
                                     const std::vector<double>& vx, const std::vector<double>& vy,
                                     const PressureStep& step) {
@@ -227,7 +239,7 @@ PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
     PressureSolve result = iterate(n, wall);
     last_iterations_ = result.iterations;
     if (steps_since_build_ == 0) iterations_after_build_ = result.iterations;
-    for (double& p : pressure_) p = std::max(p, 0.0);
+    cut_off_tension(n);
     std::copy_n(pressure_.begin(), soil.count, soil.pressure.begin());
     std::fill(wall.pressure.begin(), wall.pressure.end(), 0.0);
     for (int a = 0; a < n.active_count(); ++a) wall.pressure[n.active[a]] = pressure_[n.first_boundary + a];

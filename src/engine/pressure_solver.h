@@ -45,6 +45,12 @@ class PressureSolver {
     PressureSolver(const Discretisation& discretisation, double gravity, double length, double tolerance,
                    int threads);
 
+    /// Lets soil that has neighbours all round bear a mean tension, Pa. Without it none does.
+    void bear_tension(double tension) { tension_ = tension; }
+
+    /// The wall is another one from now on.
+    void forget_wall() { wall_aggregate_.clear(); }
+
     /// On return soil and wall hold the pressure of the end of the step.
     PressureSolve solve(const Neighbours& n, Soil& soil, Wall& wall, const std::vector<double>& vx,
                         const std::vector<double>& vy, const PressureStep& step);
@@ -61,6 +67,7 @@ class PressureSolver {
                     std::vector<double>& out);
     double multiply_boundary_row(const Neighbours& n, const Wall& wall, int a, const std::vector<double>& x,
                                  std::vector<double>& out) const;
+    void cut_off_tension(const Neighbours& n);
     double precondition();
     template <class Function>
     double sum_nodes(const Function& f);
@@ -70,6 +77,7 @@ class PressureSolver {
     double gravity_;
     double relaxation_time_;  ///< s, least time in which excess density is worked off
     double tolerance_;
+    double tension_ = 0;
     int threads_;
 
     CoarseLevel coarse_;

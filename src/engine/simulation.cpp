@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "engine/bed_shape.h"
 #include "engine/operators.h"
 #include "engine/parallel.h"
 
@@ -57,30 +58,37 @@ Simulation::Simulation(const Scene& scene)
 Simulation::Simulation(const Scene& scene, const Packing& packing)
     : threads_(threads_for(scene.run.threads, packing.x.size())),
       run_(scene.run),
-      base_strength_(interface_strength(scene.material, scene.effects)),
+      material_(scene.material),
+      effects_(scene.effects),
       release_(scene.effects.release.value_or(StagedRelease{})),
-      bed_(scene.source.bed),
+      ground_(scene.source.bed),
+      bed_(shape_bed(scene.source.bed, scene.effects)),
       discretisation_(
           make_discretisation(packing.spacing, scene.run.smoothing_ratio, scene.material.density)),
       length_scale_(std::sqrt(scene.source.area)),
       time_scale_(std::sqrt(length_scale_ / scene.run.gravity)),
-      floor_(lowest(scene.source.bed)),
+      floor_(lowest(bed_.points())),
       height_(highest(scene.source.outline) - floor_),
       time_limit_(scene.run.time_limit > 0 ? scene.run.time_limit
                                            : 60.0 * std::sqrt(height_ / scene.run.gravity)),
       soil_(soil_at(packing.x, packing.y)),
       wall_(make_wall(bed_, discretisation_)),
       search_(discretisation_, threads_),
-      friction_(discretisation_, scene.material, scene.effects, scene.run, threads_),
+      friction_(discretisation_,
+                YieldStrength(scene.material, scene.effects,
+                              base_strength_ratios(scene.material, scene.effects, wall_)),
+                scene.run, threads_),
       pressure_(discretisation_, scene.run.gravity, length_scale_, scene.run.pressure_tolerance, threads_) {
     for (std::size_t i = 0; i < packing.x.size(); ++i) start_.emplace_back(packing.x[i], packing.y[i]);
     mark_ = start_;
     release_head_ = *std::min_element(packing.x.begin(), packing.x.end()) - 0.5 * packing.spacing;
+    set_up_effects();
     make_room();
     release_ax_.assign(soil_.count, 0.0);
     release_ay_.assign(soil_.count, 0.0);
     search_.sort(soil_);
     search_.find(soil_, wall_, neighbours_);
+    if (effects_.erodible_bed) note_moved_layer();
 }
 
 void Simulation::make_room() {
@@ -94,7 +102,8 @@ void Simulation::make_room() {
 void Simulation::balance() {
     const double dt = 0.1 * discretisation_.spacing / std::sqrt(run_.gravity * length_scale_);
     clock_.enter(Phase::equilibrium);
-    friction_.predict(neighbours_, soil_, wall_, dt, predicted_vx_, predicted_vy_, equilibrium_iterations);
+    friction_.predict(neighbours_, soil_, wall_, friction_step(dt, equilibrium_iterations), predicted_vx_,
+                      predicted_vy_);
     highest_pressure_ =
         pressure_.solve(neighbours_, soil_, wall_, predicted_vx_, predicted_vy_, {dt, 1.0, false}).highest;
     find_pressure_gradient();
@@ -116,19 +125,24 @@ void Simulation::balance() {
 void Simulation::step() {
     if (!released_) return balance();
     if (stage_ended_) release_layer();
+    if (masses_released_ < release_.masses.size() && time_ >= release_.masses[masses_released_].time)
+        release_mass();
     clock_.enter(Phase::neighbours);
     search_.sort(soil_);
     search_.find(soil_, wall_, neighbours_);
     const double dt = choose_time_step();
     clock_.enter(Phase::friction);
-    friction_.predict(neighbours_, soil_, wall_, dt, predicted_vx_, predicted_vy_);
+    friction_.predict(neighbours_, soil_, wall_, friction_step(dt), predicted_vx_, predicted_vy_);
     clock_.enter(Phase::pressure);
     const PressureSolve solve =
         pressure_.solve(neighbours_, soil_, wall_, predicted_vx_, predicted_vy_, {.dt = dt});
     clock_.enter(Phase::motion);
     correct(dt);
+    if (effects_.side_walls) brake(dt);
     move(dt);
     guard_wall();
+    if (barrier_) measure_barrier(dt);
+    if (effects_.erodible_bed) note_moved_layer();
     clock_.leave();
 
     time_ += dt;
@@ -153,13 +167,23 @@ double Simulation::choose_time_step() {
         return greatest;
     });
     const double dl = discretisation_.spacing;
-    double dt = std::sqrt(run_.courant * dl / run_.gravity);
+    double dt = std::sqrt(run_.courant * dl / body_acceleration().norm());
     if (speed2 > 0.0) dt = std::min(dt, run_.courant * dl / std::sqrt(speed2));
     if (highest_pressure_ > 0.0) {
         dt =
             std::min(dt, pressure_wave_courant * dl / std::sqrt(highest_pressure_ / discretisation_.density));
     }
     return dt;
+}
+
+FrictionStep Simulation::friction_step(double dt, int iterations) {
+    FrictionStep step{.dt = dt, .body = body_acceleration(), .iterations = iterations};
+    if (pore_water_) {
+        const Stopwatch watch(cost_of("pore_pressure"));
+        pore_water_->find(neighbours_, soil_, wall_, bed_, time_, pore_pressure_);
+        step.pore_pressure = &pore_pressure_;
+    }
+    return step;
 }
 
 void Simulation::find_pressure_gradient() {
@@ -174,19 +198,22 @@ void Simulation::find_pressure_gradient() {
 void Simulation::correct(double dt) {
     const double scale = dt / discretisation_.density;
     find_pressure_gradient();
+    const Vec2 gain = dt * body_acceleration();
     const auto update = [&](int first, int last) {
         StepWork work;
         for (int i = first; i < last; ++i) {
             const double px = -scale * force_x_[i];
             const double py = -scale * force_y_[i];
-            const double fx = predicted_vx_[i] - soil_.vx[i];
-            const double fy = predicted_vy_[i] - soil_.vy[i] + dt * run_.gravity;
+            const double fx = predicted_vx_[i] - soil_.vx[i] - gain.x();
+            const double fy = predicted_vy_[i] - soil_.vy[i] - gain.y();
             const double vx = predicted_vx_[i] + px;
             const double vy = predicted_vy_[i] + py;
             const double mean_x = 0.5 * (vx + soil_.vx[i]);
             const double mean_y = 0.5 * (vy + soil_.vy[i]);
             work.friction -= fx * mean_x + fy * mean_y;
             work.pressure += px * mean_x + py * mean_y;
+            work.momentum_x += mean_x;
+            work.momentum_y += mean_y;
             soil_.vx[i] = vx;
             soil_.vy[i] = vy;
         }
@@ -195,6 +222,9 @@ void Simulation::correct(double dt) {
     const StepWork work = sum_pieces(soil_.count, threads_, partial_work_, update);
     friction_work_ += discretisation_.mass() * work.friction;
     pressure_work_ += discretisation_.mass() * work.pressure;
+    // What gravity gives is potential energy; what the ground's motion gives comes on top.
+    shaking_work_ += discretisation_.mass() *
+                     (gain.x() * work.momentum_x + (gain.y() + dt * run_.gravity) * work.momentum_y);
 }
 
 /// x += dt v^{n+1}: the mean of old and new velocity collapses the pile. A lone grain moves one spacing at
@@ -235,9 +265,12 @@ void Simulation::guard_wall() {
         const double inward = std::max(0.0, -v.dot(near.normal));
         const Vec2 slip = v - v.dot(near.normal) * near.normal;
         const double speed = slip.norm();
-        const double kept = speed > 0.0 ? std::max(0.0, 1.0 - base_strength_ * inward / speed) : 0.0;
+        const double kept = speed > 0.0 ? std::max(0.0, 1.0 - friction_.yield().base_ratio(boundary) * inward / speed) : 0.0;
         soil_.vx[i] = kept * slip.x() + std::max(0.0, v.dot(near.normal)) * near.normal.x();
         soil_.vy[i] = kept * slip.y() + std::max(0.0, v.dot(near.normal)) * near.normal.y();
+        if (barrier_)
+            barrier_->add_guard_impulse(near.segment,
+                                        discretisation_.mass() * (v - Vec2{soil_.vx[i], soil_.vy[i]}));
         // A lone grain that lies on the line is no defect; one that was driven in is.
         if (back > 0.01 * discretisation_.spacing) ++work_.wall_guard_activations;
     }
@@ -250,7 +283,8 @@ void Simulation::end(RunStatus status, std::string detail) {
 
 /// A run whose numbers can no longer be true ends here, with the name of what was violated, when and where.
 void Simulation::check_invariants() {
-    const double fastest2 = std::pow(speed_tolerance, 2) * 2.0 * run_.gravity * height_;
+    const double shaken = std::max(0.0, shaking_work_) / (discretisation_.mass() * soil_.count);
+    const double fastest2 = std::pow(speed_tolerance, 2) * 2.0 * (run_.gravity * height_ + shaken);
     double energy = 0.0;  // per mass and particle
     for (int i = 0; i < soil_.count; ++i) {
         const double speed2 = soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i];
@@ -267,7 +301,7 @@ void Simulation::check_invariants() {
     energy /= soil_.count;
     if (!energy_marked_) start_energy_ = energy;
     energy_marked_ = true;
-    if (energy > start_energy_ + energy_tolerance * run_.gravity * height_) {
+    if (energy > start_energy_ + shaken + energy_tolerance * run_.gravity * height_) {
         end(RunStatus::diverged,
             fmt::format("mechanical energy rose above its start at t = {:.4g} s", time_));
     }
@@ -300,6 +334,11 @@ void Simulation::judge() {
 }
 
 void Simulation::end_at_rest() {
+    if (ground_motion_ && time_ < ground_motion_->ends()) return;
+    if (masses_released_ < release_.masses.size()) {  // nothing happens until then
+        time_ = std::max(time_, release_.masses[masses_released_].time);
+        return;
+    }
     if (layers_released_ < release_.layers) {
         stage_ended_ = true;
         return;
@@ -325,16 +364,8 @@ void Simulation::release_layer() {
         for (int j = 0; j < rows; ++j)
             layer.emplace_back(release_head_ + (i + 0.5) * dl, top + (j + 1.0) * dl);
     }
-    append_soil(soil_, layer);
-    start_.insert(start_.end(), layer.begin(), layer.end());
-    mark_.insert(mark_.end(), layer.begin(), layer.end());
-    make_room();
+    add_soil(layer);
     height_ = std::max(height_, top + (rows + 0.5) * dl - floor_);
-    resting_windows_ = 0;
-    mark_time_ = time_;
-    stage_start_ = time_;
-    energy_marked_ = false;
-    stage_ended_ = false;
     ++layers_released_;
 }
 
@@ -374,6 +405,7 @@ StateView Simulation::state() const {
     return {time_,
             &discretisation_,
             &bed_,
+            &ground_,
             run_.gravity,
             view(soil_.x),
             view(soil_.y),
@@ -383,7 +415,8 @@ StateView Simulation::state() const {
             view(soil_.sxx),
             view(soil_.sxy),
             view(neighbours_.density),
-            std::span(soil_.id).first(count)};
+            std::span(soil_.id).first(count),
+            std::span(resting_layer_)};
 }
 
 Vec2 Simulation::bed_force() const {
@@ -400,7 +433,7 @@ Vec2 Simulation::bed_force() const {
 }
 
 EnergyBudget Simulation::energy() const {
-    EnergyBudget budget{0, 0, friction_work_, pressure_work_};
+    EnergyBudget budget{0, 0, friction_work_, pressure_work_, shaking_work_, side_wall_work_};
     for (int i = 0; i < soil_.count; ++i) {
         budget.kinetic += 0.5 * (soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i]);
         budget.potential += run_.gravity * soil_.y[i];

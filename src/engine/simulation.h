@@ -1,14 +1,18 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/barrier_load.h"
 #include "engine/bed_line.h"
 #include "engine/friction.h"
+#include "engine/ground_motion.h"
 #include "engine/neighbours.h"
 #include "engine/packing.h"
 #include "engine/phase_clock.h"
+#include "engine/pore_pressure.h"
 #include "engine/pressure_solver.h"
 #include "engine/soil.h"
 #include "engine/state_view.h"
@@ -33,14 +37,25 @@ struct EnergyBudget {
     double potential = 0;      ///< above the toe
     double friction_work = 0;  ///< taken from the motion by friction since release
     double pressure_work = 0;  ///< given to the motion by pressure since release: the error of the projection
+    double shaking_work = 0;   ///< given to the motion by the acceleration of the ground since release
+    double side_wall_work = 0;  ///< taken from the motion by side walls since release
 };
 
-/// What friction took and pressure gave within one step, per mass of one particle, J/kg.
+/// Seconds that an effect's own work took.
+struct EffectCost {
+    const char* effect;
+    double seconds = 0;
+};
+
+/// What friction took and pressure gave within one step, per mass of one particle, J/kg; and its momentum.
 struct StepWork {
     double friction = 0, pressure = 0;
+    double momentum_x = 0, momentum_y = 0;
     StepWork& operator+=(const StepWork& other) {
         friction += other.friction;
         pressure += other.pressure;
+        momentum_x += other.momentum_x;
+        momentum_y += other.momentum_y;
         return *this;
     }
 };
@@ -73,6 +88,14 @@ class Simulation {
     [[nodiscard]] EnergyBudget energy() const;
     /// Force of the soil on the bed as the pairs carry it, N per metre of width.
     [[nodiscard]] Vec2 bed_force() const;
+    /// What the soil does to the barrier; null where there is none.
+    [[nodiscard]] const BarrierForce* barrier_force() const { return barrier_ ? &barrier_->now() : nullptr; }
+    /// Effects that do work of their own in a step, with the seconds it took so far.
+    [[nodiscard]] const std::vector<EffectCost>& effect_costs() const { return effect_costs_; }
+    /// Strain rate |e| per soil particle for the velocities as they are, 1/s. Not free: it is a sum over pairs.
+    [[nodiscard]] std::vector<double> strain_rate() const;
+    /// Soil of an erodible layer that has moved, m2.
+    [[nodiscard]] double eroded_area() const;
     [[nodiscard]] const WorkCounts& work() const { return work_; }
     [[nodiscard]] const PhaseClock& clock() const { return clock_; }
     [[nodiscard]] const Wall& wall() const { return wall_; }
@@ -82,9 +105,18 @@ class Simulation {
 
   private:
     Simulation(const Scene& scene, const Packing& packing);
+    void set_up_effects();
+    double& cost_of(const char* effect);
+    [[nodiscard]] Vec2 body_acceleration() const;
+    void brake(double dt);
+    void measure_barrier(double dt);
+    void note_moved_layer();
+    void release_mass();
+    void add_soil(const std::vector<Vec2>& points);
     void make_room();
     void balance();
     [[nodiscard]] double choose_time_step();
+    [[nodiscard]] FrictionStep friction_step(double dt, int iterations = 0);
     void find_pressure_gradient();
     void correct(double dt);
     void move(double dt);
@@ -101,8 +133,10 @@ class Simulation {
 
     int threads_;
     RunSettings run_;
-    double base_strength_;  ///< of a sliding grain on the bed, over its pressure
+    Material material_;
+    Effects effects_;
     StagedRelease release_;
+    BedLine ground_;  ///< the bed without barrier and erodible layer
     BedLine bed_;
     Discretisation discretisation_;
     double length_scale_;  ///< sqrt(S), m
@@ -116,6 +150,15 @@ class Simulation {
     NeighbourSearch search_;
     Neighbours neighbours_;
     Friction friction_;
+    std::optional<PoreWater> pore_water_;
+    std::vector<double> pore_pressure_;  ///< per node, Pa
+    std::optional<GroundMotion> ground_motion_;
+    std::optional<BarrierLoad> barrier_;
+    int first_layer_id_ = 0;            ///< of the soil of an erodible layer, which is packed after the source
+    int end_layer_id_ = 0;
+    std::vector<char> layer_moved_;     ///< by id since first_layer_id_
+    std::vector<char> resting_layer_;   ///< per soil particle
+    std::vector<EffectCost> effect_costs_;
     PressureSolver pressure_;
     std::vector<double> predicted_vx_, predicted_vy_;
     std::vector<double> force_x_, force_y_;
@@ -129,6 +172,7 @@ class Simulation {
     std::vector<double> release_ax_, release_ay_;  ///< acceleration at release as known so far, m/s2
 
     int layers_released_ = 0;
+    std::size_t masses_released_ = 0;
     bool stage_ended_ = false;
     double stage_start_ = 0;   ///< s
     double release_head_ = 0;  ///< x of the uphill end of the source, m
@@ -142,6 +186,8 @@ class Simulation {
     int resting_windows_ = 0;
     double friction_work_ = 0;
     double pressure_work_ = 0;
+    double shaking_work_ = 0;
+    double side_wall_work_ = 0;
     int unconverged_in_a_row_ = 0;
     WorkCounts work_;
     RunStatus status_ = RunStatus::running;

@@ -62,7 +62,7 @@ std::vector<char> connected_body(const StateView& state) {
     const int largest = *std::max_element(size.begin(), size.end());
     const double least = std::min<double>(largest, std::max(3.0, deposit_share * count));
     std::vector<char> body(count);
-    for (int i = 0; i < count; ++i) body[i] = size[root(parent, i)] >= least ? 1 : 0;
+    for (int i = 0; i < count; ++i) body[i] = size[root(parent, i)] >= least && state.is_debris(i) ? 1 : 0;
     return body;
 }
 
@@ -83,14 +83,14 @@ DepositProfile deposit_profile(const StateView& state, const std::vector<char>& 
     profile.bins.resize(static_cast<std::size_t>(last - first + 1));
     for (std::size_t k = 0; k < profile.bins.size(); ++k) {
         profile.bins[k].x = (static_cast<double>(first) + static_cast<double>(k) + 0.5) * profile.bin_width;
-        profile.bins[k].bed = state.bed->elevation(profile.bins[k].x);
+        profile.bins[k].bed = state.ground->elevation(profile.bins[k].x);
     }
     for (std::size_t i = 0; i < body.size(); ++i) {
         if (!body[i]) continue;
         add_to_bins(profile, first, state.x[i], dl * dl);
         const long bin_number = static_cast<long>(std::floor(state.x[i] / profile.bin_width)) - first;
         auto& bin = profile.bins[static_cast<std::size_t>(bin_number)];
-        bin.by_top = std::max(bin.by_top, state.y[i] + 0.5 * dl - state.bed->elevation(state.x[i]));
+        bin.by_top = std::max(bin.by_top, state.y[i] + 0.5 * dl - state.ground->elevation(state.x[i]));
     }
     return profile;
 }
@@ -121,7 +121,9 @@ double contiguous_front(const DepositProfile& profile, double DepositProfile::Bi
 }
 
 double mass_front(const StateView& state, double share) {
-    std::vector<double> x(state.x.begin(), state.x.end());
+    std::vector<double> x;
+    for (std::size_t i = 0; i < state.x.size(); ++i)
+        if (state.is_debris(i)) x.push_back(state.x[i]);
     const auto beyond = static_cast<std::size_t>(share * static_cast<double>(x.size()));
     std::nth_element(x.begin(), x.begin() + static_cast<long>(beyond), x.end(), std::greater<>());
     return x[beyond];

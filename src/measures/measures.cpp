@@ -28,6 +28,7 @@ std::span<const MeasureField> measure_fields() {
                      "greatest speed of the 99.5 % mass point"},
         MeasureField{"time_to_rest_s", &Measures::time_to_rest_s, "simulated time at which motion ended"},
         MeasureField{"stray_particles", &Measures::stray_particles, "particles apart from the deposit"},
+        MeasureField{"eroded_area_m2", &Measures::eroded_area_m2, "soil of an erodible bed that has moved"},
     };
     return fields;
 }

@@ -28,6 +28,7 @@ struct Measures {
     double peak_front_speed_m_s = 0;    ///< greatest speed of the 99.5 % mass point
     double time_to_rest_s = 0;          ///< simulated time at which motion ended
     double stray_particles = 0;         ///< particles not connected to the deposit
+    double eroded_area_m2 = 0;          ///< soil of an erodible bed that has moved; NaN: the bed is rigid
 };
 
 /// One column of Measures: drives the database, JSON and text alike.
@@ -73,6 +74,58 @@ struct StageRow {
     double run_out_m = 0;          ///< as Measures::run_out_m
 };
 
+/// What a gauge reads at one instant.
+struct GaugeRow {
+    double time_s = 0;
+    double thickness_m = 0;     ///< soil area per width
+    double speed_m_s = 0;       ///< mean over depth; negative away from the run-out
+    double kinetic_head_m = 0;  ///< speed^2 / 2g
+    double passed_area_m2 = 0;  ///< soil that has passed since release, net
+};
+
+/// What passed one place.
+struct GaugeRecord {
+    std::string name;
+    double chainage_m = 0;
+    double arrival_time_s = 0;  ///< of a front as thick as front_thickness_m; NaN: none arrived
+    double greatest_thickness_m = 0;
+    double greatest_speed_m_s = 0;
+    double greatest_kinetic_head_m = 0;
+    double passed_area_m2 = 0;  ///< at the end
+    std::vector<GaugeRow> rows;
+};
+
+/// Load of a barrier over the last stored interval, per metre of width; x towards the run-out.
+struct BarrierRow {
+    double time_s = 0;
+    double force_x_n_m = 0, force_y_n_m = 0;  ///< mean over the interval
+    double moment_n = 0;                      ///< about the foot of its face, at the instant
+    double impulse_x_n_s_m = 0;               ///< since release
+};
+
+/// What the debris did to a barrier.
+struct BarrierRecord {
+    double arrival_time_s = 0;  ///< NaN: nothing arrived
+    double greatest_force_n_m = 0;
+    double greatest_force_time_s = 0;
+    double greatest_moment_n = 0;
+    double impulse_n_s_m = 0;
+    double last_force_n_m = 0;  ///< when the run ended: the static load of a deposit at rest
+    double run_up_m = 0;        ///< above the foot
+    double overtopped_area_m2 = 0;
+    double approach_speed_m_s = 0, approach_thickness_m = 0;
+    double design_force_n_m = 0;  ///< alpha rho v^2 h of the approach
+    std::vector<BarrierRow> rows;
+};
+
+/// One effect in one run.
+struct EffectRow {
+    std::string name;
+    bool on = false;
+    std::string why;
+    double cost_s = 0;  ///< wall seconds of work of its own; NaN: none apart from the rest of the step
+};
+
 /// What the run took and how sound it was. Counts are exact and reproducible; seconds are not.
 struct RunWork {
     long particles = 0;
@@ -105,6 +158,10 @@ struct RunResult {
     std::vector<PhaseTime> phases;
     std::vector<Snapshot> snapshots;
     std::vector<StageRow> stages;  ///< empty unless the release is staged
+    std::vector<GaugeRecord> gauges;
+    std::vector<BarrierRecord> barriers;  ///< one, or none
+    std::vector<EffectRow> effects;       ///< all that the program knows
+    std::vector<std::string> advice;      ///< sentences: effects that were off and may matter
 };
 
 }  // namespace runout

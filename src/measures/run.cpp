@@ -6,12 +6,17 @@
 #include <ctime>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "core/units.h"
 #include "engine/simulation.h"
+#include "measures/advice.h"
+#include "measures/barrier.h"
 #include "measures/deposit.h"
+#include "measures/gauges.h"
 #include "measures/series.h"
 #include "measures/snapshots.h"
+#include "scene/effect_settings.h"
 
 namespace runout {
 namespace {
@@ -19,6 +24,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double samples_per_time_scale = 20.0;
+constexpr double looks_per_time_scale = 4.0;  // for advice: each costs a sum over pairs
 constexpr double progress_period_s = 0.1;
 
 double seconds_since(Clock::time_point start) {
@@ -60,7 +66,7 @@ double front_threshold(const Scene& scene) {
 Measures measures_at_rest(const Scene& scene, const Simulation& simulation, const DepositProfile& profile,
                           const std::vector<char>& body, double peak_speed) {
     const StateView state = simulation.state();
-    const BedLine& bed = *state.bed;
+    const BedLine& bed = *state.ground;
     const Source& source = scene.source;
     Measures m;
     m.front_thickness_m = front_threshold(scene);
@@ -84,7 +90,10 @@ Measures measures_at_rest(const Scene& scene, const Simulation& simulation, cons
     m.toe_thickness_m = thickness_at_toe(profile);
     m.peak_front_speed_m_s = stood ? 0.0 : peak_speed;
     m.time_to_rest_s = simulation.motion_ended();
-    m.stray_particles = static_cast<double>(std::count(body.begin(), body.end(), 0));
+    m.eroded_area_m2 = scene.effects.erodible_bed ? simulation.eroded_area()
+                                                  : std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < body.size(); ++i)
+        if (body[i] == 0 && state.is_debris(i)) m.stray_particles += 1;
     return m;
 }
 
@@ -95,7 +104,7 @@ StageRow stage_at_rest(const Scene& scene, const Simulation& simulation) {
     double height = 0.0;
     for (const auto& bin : profile.bins) height = std::max(height, bin.by_top);
     return {simulation.time(), state.discretisation->volume() * static_cast<double>(state.x.size()),
-            degrees(surface_angle(profile, front)), height, distance_along_bed(*state.bed, front)};
+            degrees(surface_angle(profile, front)), height, distance_along_bed(*state.ground, front)};
 }
 
 RunWork work_of(const Simulation& simulation) {
@@ -114,6 +123,69 @@ RunWork work_of(const Simulation& simulation) {
     return work;
 }
 
+std::vector<EffectRow> effects_of(const Scene& scene, const Simulation& simulation) {
+    std::vector<EffectRow> rows;
+    for (const EffectState& state : effect_states(scene.effects, scene.gauges.size())) {
+        EffectRow row{state.name, state.on, state.meaning, std::numeric_limits<double>::quiet_NaN()};
+        for (const EffectCost& cost : simulation.effect_costs())
+            if (cost.effect == state.name) row.cost_s = cost.seconds;
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+/// Everything that is read off a run step by step.
+class Recorders {
+  public:
+    Recorders(const Scene& scene, const Simulation& simulation)
+        : series_(simulation.time_scale() / samples_per_time_scale),
+          snapshots_(scene.run.snapshot_times),
+          advisor_(scene, simulation.time_scale() / looks_per_time_scale) {
+        const double interval = simulation.time_scale() / samples_per_time_scale;
+        if (!scene.gauges.empty()) gauges_.emplace(scene.gauges, interval, front_threshold(scene));
+        if (scene.effects.barrier) barrier_.emplace(scene, interval);
+        series_.sample(simulation, true);
+        sample_gauges(simulation, true);
+    }
+
+    void sample(const Simulation& simulation) {
+        series_.sample(simulation);
+        snapshots_.sample(simulation);
+        advisor_.look(simulation);
+        sample_gauges(simulation, false);
+        if (barrier_) barrier_->sample(simulation);
+    }
+
+    void finish(const Simulation& simulation, const Profile& profile, RunResult& result) {
+        series_.sample(simulation, true);
+        sample_gauges(simulation, true);
+        if (barrier_) barrier_->sample(simulation, true);
+        result.series = series_.rows();
+        result.snapshots = snapshots_.snapshots();
+        result.advice = advisor_.sentences();
+        if (gauges_)
+            result.gauges = gauges_->records([&](double x) { return profile.to_section({x, 0}).x(); });
+        if (barrier_) result.barriers = {barrier_->record()};
+    }
+
+    [[nodiscard]] double peak_front_speed() const { return series_.peak_front_speed(); }
+    [[nodiscard]] double gauge_seconds() const { return gauge_seconds_; }
+
+  private:
+    void sample_gauges(const Simulation& simulation, bool always) {
+        if (!gauges_) return;
+        const Stopwatch watch(gauge_seconds_);
+        gauges_->sample(simulation.state(), always);
+    }
+
+    SeriesRecorder series_;
+    SnapshotRecorder snapshots_;
+    Advisor advisor_;
+    std::optional<GaugeRecorder> gauges_;
+    std::optional<BarrierRecorder> barrier_;
+    double gauge_seconds_ = 0;
+};
+
 /// Share of the run that lies behind. Nobody knows when a mass will rest; most do within this time, and once
 /// one rests the end is known.
 double fraction_done(const Simulation& simulation) {
@@ -131,16 +203,13 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
     const double thread_start = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
     const double program_start = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
     Simulation simulation(scene);
-    SeriesRecorder series(simulation.time_scale() / samples_per_time_scale);
-    series.sample(simulation, true);
-    SnapshotRecorder snapshots(scene.run.snapshot_times);
+    Recorders recorders(scene, simulation);
     RunResult result;
     double reported = -1.0;
     bool interrupted = false;
     while (simulation.status() == RunStatus::running && !interrupted) {
         simulation.step();
-        series.sample(simulation);
-        snapshots.sample(simulation);
+        recorders.sample(simulation);
         const bool last_stage = scene.effects.release && simulation.status() != RunStatus::running;
         if (simulation.stage_ended() || last_stage) {
             result.stages.push_back(stage_at_rest(scene, simulation));
@@ -153,16 +222,16 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
         }
         interrupted = control.interrupt != nullptr && control.interrupt->load();
     }
-    series.sample(simulation, true);
+    recorders.finish(simulation, scene.profile, result);
     result.status = interrupted ? RunStatus::interrupted : simulation.status();
     result.status_detail = interrupted ? "stopped by the user" : simulation.status_detail();
     const StateView state = simulation.state();
     const std::vector<char> body = connected_body(state);
     const DepositProfile profile = deposit_profile(state, body);
-    result.measures = measures_at_rest(scene, simulation, profile, body, series.peak_front_speed());
+    result.effects = effects_of(scene, simulation);
+    if (!scene.gauges.empty()) result.effects.back().cost_s = recorders.gauge_seconds();
+    result.measures = measures_at_rest(scene, simulation, profile, body, recorders.peak_front_speed());
     result.work = work_of(simulation);
-    result.series = series.rows();
-    result.snapshots = snapshots.snapshots();
     result.deposit = rows_of(profile, scene.profile);
     for (int p = 0; p < static_cast<int>(Phase::count); ++p) {
         result.phases.push_back(

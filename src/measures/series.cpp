@@ -13,7 +13,7 @@ void SeriesRecorder::sample(const Simulation& simulation, bool always) {
     const StateView state = simulation.state();
     const EnergyBudget energy = simulation.energy();
     const double mass = state.discretisation->mass() * static_cast<double>(state.x.size());
-    const double front = distance_along_bed(*state.bed, mass_front(state, 0.005));
+    const double front = distance_along_bed(*state.ground, mass_front(state, 0.005));
     if (!rows_.empty() && simulation.time() > rows_.back().time_s + 0.5 * interval_) {
         peak_speed_ =
             std::max(peak_speed_, (front - rows_.back().front_m) / (simulation.time() - rows_.back().time_s));

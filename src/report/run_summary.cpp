@@ -50,6 +50,50 @@ std::string source_line(const StoredRun& run) {
         run.friction_angle_deg);
 }
 
+std::string gauge_line(const GaugeRecord& gauge) {
+    if (std::isnan(gauge.arrival_time_s))
+        return fmt::format("Gauge {} at chainage {:.5g} m: nothing arrives.\n", gauge.name, gauge.chainage_m);
+    return fmt::format(
+        "Gauge {} at chainage {:.5g} m: arrival after {:.3g} s, up to {:.3g} m thick, {:.3g} m/s, kinetic head "
+        "{:.3g} m; {:.4g} m2 pass.\n",
+        gauge.name, gauge.chainage_m, gauge.arrival_time_s, gauge.greatest_thickness_m, gauge.greatest_speed_m_s,
+        gauge.greatest_kinetic_head_m, gauge.passed_area_m2);
+}
+
+std::string barrier_lines(const BarrierRecord& barrier) {
+    if (std::isnan(barrier.arrival_time_s)) return "Barrier: nothing arrives.\n";
+    return fmt::format(
+        "Barrier: force up to {:.3g} kN/m at {:.3g} s (alpha rho v^2 h of the approach, {:.3g} m/s and {:.3g} m: "
+        "{:.3g} kN/m),\n  moment up to {:.3g} kNm/m, impulse {:.3g} kNs/m, {:.3g} kN/m at the end; run-up {:.3g} m, "
+        "{:.3g} m2 beyond it.\n",
+        1e-3 * barrier.greatest_force_n_m, barrier.greatest_force_time_s, barrier.approach_speed_m_s,
+        barrier.approach_thickness_m, 1e-3 * barrier.design_force_n_m, 1e-3 * barrier.greatest_moment_n,
+        1e-3 * barrier.impulse_n_s_m, 1e-3 * barrier.last_force_n_m, barrier.run_up_m, barrier.overtopped_area_m2);
+}
+
+/// "Effects on: cohesion, barrier (0.2 s). Off: rate, ..."
+std::string effects_line(const StoredRun& run) {
+    if (run.effects.empty()) return {};
+    std::string on, off;
+    for (const EffectRow& effect : run.effects) {
+        std::string& list = effect.on ? on : off;
+        list += (list.empty() ? "" : ", ") + effect.name;
+        if (effect.on && std::isfinite(effect.cost_s)) list += " (" + duration(effect.cost_s) + ")";
+    }
+    return fmt::format("Effects on: {}. Off: {}.\n", on.empty() ? "none" : on, off.empty() ? "none" : off);
+}
+
+std::string effect_lines(const StoredRun& run) {
+    std::string text;
+    for (const GaugeRecord& gauge : run.gauges) text += gauge_line(gauge);
+    for (const BarrierRecord& barrier : run.barriers) text += barrier_lines(barrier);
+    if (std::isfinite(run.measures.eroded_area_m2))
+        text += fmt::format("{:.4g} m2 of the bed were carried along.\n", run.measures.eroded_area_m2);
+    text += effects_line(run);
+    for (const std::string& sentence : run.advice) text += "Advice: " + sentence + "\n";
+    return text;
+}
+
 std::string work_line(const StoredRun& run) {
     const RunWork& w = run.work;
     return fmt::format("{} particles of {:.3g} m, {} steps, {} ({} of CPU time).\n", w.particles,
@@ -102,8 +146,9 @@ std::string run_summary(const StoredRun& run) {
     if (!is_result(run.status)) return failed_lines(run);
     if (run.status == RunStatus::stable)
         return fmt::format("{}: the source stands at this strength: no run-out.\n", title(run)) +
-               source_line(run) + work_line(run);
-    return front_line(run) + deposit_lines(run) + source_line(run) + work_line(run) + resolution_line(run);
+               source_line(run) + effect_lines(run) + work_line(run);
+    return front_line(run) + deposit_lines(run) + source_line(run) + effect_lines(run) + work_line(run) +
+           resolution_line(run);
 }
 
 }  // namespace runout

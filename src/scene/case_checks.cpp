@@ -18,9 +18,12 @@ struct Rivals {
 };
 
 /// Two ways to say the same thing.
-constexpr std::array<Rivals, 2> rivals = {{
+constexpr std::array<Rivals, 5> rivals = {{
     {"section.file", "section.raster"},
     {"run.particle_spacing_m", "run.resolution"},
+    {"effects.pore_pressure.ratio", "effects.pore_pressure.ratio_points"},
+    {"effects.shaking.record", "effects.shaking.horizontal_coefficient"},
+    {"effects.shaking.record", "effects.shaking.vertical_coefficient"},
 }};
 
 struct Companions {
@@ -28,7 +31,7 @@ struct Companions {
     std::string_view needs;
 };
 
-constexpr std::array<Companions, 7> companions = {{
+constexpr std::array<Companions, 25> companions = {{
     {"section.raster", "section.line"},
     {"section.line", "section.raster"},
     {"section.sampling_m", "section.raster"},
@@ -36,6 +39,24 @@ constexpr std::array<Companions, 7> companions = {{
     {"effects.release.layers", "effects.release.layer_height_m"},
     {"effects.release.layer_width_m", "effects.release.layers"},
     {"effects.release.layer_height_m", "effects.release.layers"},
+    {"effects.release.mass.points", "effects.release.mass.time_s"},
+    {"effects.release.mass.time_s", "effects.release.mass.points"},
+    {"effects.cohesion.tension_cut_off_kpa", "effects.cohesion.cohesion_kpa"},
+    {"effects.rate.grain_density_kg_m3", "effects.rate.grain_diameter_m"},
+    {"effects.rate.friction_increase", "effects.rate.grain_diameter_m"},
+    {"effects.rate.inertial_number", "effects.rate.grain_diameter_m"},
+    {"effects.pore_pressure.dissipation_time_s", "effects.pore_pressure.base_excess_ratio"},
+    {"effects.barrier.chainage_m", "effects.barrier.height_m"},
+    {"effects.barrier.height_m", "effects.barrier.chainage_m"},
+    {"effects.barrier.inclination_deg", "effects.barrier.chainage_m"},
+    {"effects.barrier.thickness_m", "effects.barrier.chainage_m"},
+    {"effects.barrier.load_coefficient", "effects.barrier.chainage_m"},
+    {"effects.side_walls.width_m", "effects.side_walls.friction_angle_deg"},
+    {"effects.side_walls.friction_angle_deg", "effects.side_walls.width_m"},
+    {"effects.erodible_bed.depth_m", "effects.erodible_bed.from_chainage_m"},
+    {"effects.erodible_bed.from_chainage_m", "effects.erodible_bed.to_chainage_m"},
+    {"effects.erodible_bed.to_chainage_m", "effects.erodible_bed.depth_m"},
+    {"gauge.name", "gauge.chainage_m"},
 }};
 
 /// "run.resolution (case.toml, line 12)"

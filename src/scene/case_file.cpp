@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -101,8 +102,26 @@ std::vector<double> numbers_from(const toml::node& node, const Parameter& parame
     return numbers;
 }
 
+std::vector<double> row_from(const toml::node& node) {
+    std::vector<double> row;
+    const toml::array* list = node.as_array();
+    if (list == nullptr) return row;
+    for (const toml::node& entry : *list)
+        row.push_back(entry.is_number() ? *entry.value<double>() : std::nan(""));
+    return row;
+}
+
+NumberRows rows_from(const toml::node& node, const Parameter& parameter, const InputPlace& place) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr) throw InputError(place, "is not a list", "valid: " + valid_values(parameter));
+    NumberRows rows;
+    for (const toml::node& entry : *list) rows.push_back(row_from(entry));
+    return rows;
+}
+
 /// A value of a kind that is written in brackets.
 Value list_from(const toml::node& node, const Parameter& parameter, const InputPlace& place) {
+    if (parameter.kind == ValueKind::rows) return rows_from(node, parameter, place);
     if (parameter.kind == ValueKind::points) return points_from(node, parameter, place);
     return numbers_from(node, parameter, place);
 }
@@ -111,6 +130,7 @@ Value value_from(const toml::node& node, const Parameter& parameter, const Input
     switch (parameter.kind) {
         case ValueKind::points:
         case ValueKind::numbers:
+        case ValueKind::rows:
             return list_from(node, parameter, place);
         case ValueKind::text:
         case ValueKind::choice:
@@ -143,6 +163,7 @@ Value value_from(const std::string& text, const Parameter& parameter, const Inpu
             return text;
         case ValueKind::points:
         case ValueKind::numbers:
+        case ValueKind::rows:
             break;
     }
     try {
@@ -167,20 +188,38 @@ class CaseReader {
     void read(const toml::table& root) {
         for (const auto& [key, node] : root) {
             const std::string name(key.str());
-            const toml::table* section = node.as_table();
-            if (section == nullptr || !is_section(name)) throw unknown_key(first_place(name, key, node));
-            read_section(name, *section);
+            if (!is_section(name) || !read_if_section(name, node))
+                throw unknown_key(first_place(name, key, node));
         }
     }
 
   private:
+    /// Reads [name], or each [[name]] where a section may stand several times. False: it is neither.
+    bool read_if_section(const std::string& name, const toml::node& node) {
+        if (const toml::table* table = node.as_table()) {
+            if (is_list_section(name)) begin_entry(spec_, name);
+            read_section(name, *table);
+            return true;
+        }
+        const toml::array* entries = node.as_array();
+        if (entries == nullptr || !entries->is_homogeneous(toml::node_type::table)) return false;
+        if (!is_list_section(name))
+            throw InputError({spec_.file, static_cast<int>(node.source().begin.line), name, {}},
+                             "stands several times", fmt::format("write [{}], once", name));
+        for (const toml::node& entry : *entries) {
+            begin_entry(spec_, name);
+            read_section(name, *entry.as_table());
+        }
+        return true;
+    }
+
     void read_section(const std::string& section, const toml::table& table) {
+        if (table.empty() && section.starts_with("effects."))
+            throw InputError({spec_.file, static_cast<int>(table.source().begin.line), section, {}},
+                             "is named without a key", "give its keys (runout help keys), or leave it out");
         for (const auto& [key, node] : table) {
             const InputPlace at = place(fmt::format("{}.{}", section, key.str()), key, node);
-            if (const toml::table* inner = node.as_table(); inner != nullptr && is_section(at.key)) {
-                read_section(at.key, *inner);
-                continue;
-            }
+            if (is_section(at.key) && read_if_section(at.key, node)) continue;
             const Parameter& parameter = known_parameter(at);
             assign(spec_, parameter, value_from(node, parameter, at), at);
         }
@@ -207,9 +246,10 @@ class CaseReader {
 };
 
 /// Paths in a case file start at the case file, so that a case can be run from anywhere.
-void resolve_paths(SectionSpec& section, const std::string& case_file) {
-    const fs::path folder = fs::path(case_file).parent_path();
-    for (std::string* path : {&section.file, &section.raster, &section.line})
+void resolve_paths(CaseSpec& spec) {
+    const fs::path folder = fs::path(spec.file).parent_path();
+    SectionSpec& section = spec.section;
+    for (std::string* path : {&section.file, &section.raster, &section.line, &spec.shaking_record})
         if (!path->empty()) *path = (folder / *path).lexically_normal().string();
 }
 
@@ -225,7 +265,7 @@ void read_toml(CaseSpec& spec) {
         throw InputError({spec.file, static_cast<int>(error.source().begin.line), {}, {}},
                          fmt::format("is not valid TOML ({})", error.description()), "write key = value");
     }
-    resolve_paths(spec.section, spec.file);
+    resolve_paths(spec);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
-#include <cmath>
 #include <utility>
 
 #include "core/units.h"
+#include "scene/parameter_builders.h"
 #include "scene/parameters.h"
 
 // The one place where a key of a case file is declared. Reading, range checks, `--set`, the options of
@@ -9,93 +9,6 @@
 
 namespace runout {
 namespace {
-
-constexpr Range any_number{};
-constexpr Range positive{.low = 0};
-constexpr Range zero_or_more{.low = 0, .low_included = true};
-
-constexpr Range above_zero_up_to(double high) {
-    return {.low = 0, .high = high, .low_included = false, .high_included = true};
-}
-constexpr Range between(double low, double high) {
-    return {.low = low, .high = high, .low_included = true, .high_included = true};
-}
-constexpr Range from_to_below(double low, double high) {
-    return {.low = low, .high = high, .low_included = true, .high_included = false};
-}
-
-using Words = std::vector<std::string_view>;
-using SetNumber = void (*)(CaseSpec&, double);
-using SetInteger = void (*)(CaseSpec&, int);
-using SetText = void (*)(CaseSpec&, const std::string&);
-using SetNumbers = void (*)(CaseSpec&, const std::vector<double>&);
-using SetPoints = void (*)(CaseSpec&, const Polyline&);
-
-Parameter number(std::string_view key, std::string_view unit, Range range, std::string_view fallback,
-                 std::string_view help, SetNumber set) {
-    return {key,
-            ValueKind::number,
-            unit,
-            range,
-            {},
-            fallback,
-            help,
-            {},
-            [set](CaseSpec& spec, const Value& value) { set(spec, std::get<double>(value)); }};
-}
-
-Parameter integer(std::string_view key, Range range, std::string_view fallback, std::string_view help,
-                  SetInteger set) {
-    return {key,
-            ValueKind::integer,
-            "",
-            range,
-            {},
-            fallback,
-            help,
-            {},
-            [set](CaseSpec& spec, const Value& value) {
-                set(spec, static_cast<int>(std::lround(std::get<double>(value))));
-            }};
-}
-
-Parameter word(std::string_view key, Words choices, std::string_view fallback, std::string_view help,
-               SetText set) {
-    return {key,
-            choices.empty() ? ValueKind::text : ValueKind::choice,
-            "",
-            {},
-            std::move(choices),
-            fallback,
-            help,
-            {},
-            [set](CaseSpec& spec, const Value& value) { set(spec, std::get<std::string>(value)); }};
-}
-
-Parameter points(std::string_view key, std::string_view fallback, std::string_view help, SetPoints set) {
-    return {
-        key, ValueKind::points, "m", {}, {}, fallback, help, {}, [set](CaseSpec& spec, const Value& value) {
-            set(spec, std::get<Polyline>(value));
-        }};
-}
-
-Parameter numbers(std::string_view key, std::string_view unit, Range range, std::string_view fallback,
-                  std::string_view help, SetNumbers set) {
-    return {key,
-            ValueKind::numbers,
-            unit,
-            range,
-            {},
-            fallback,
-            help,
-            {},
-            [set](CaseSpec& spec, const Value& value) { set(spec, std::get<std::vector<double>>(value)); }};
-}
-
-StagedRelease& release_of(CaseSpec& spec) {
-    if (!spec.effects.release) spec.effects.release.emplace();
-    return *spec.effects.release;
-}
 
 Parameter only_for(std::vector<SourceType> types, Parameter parameter) {
     parameter.applies_to = std::move(types);
@@ -200,23 +113,6 @@ std::vector<Parameter> material_parameters() {
         number("material.friction_angle_deg", "deg", from_to_below(0, 80), "required",
                "Internal friction angle at critical state.",
                [](CaseSpec& spec, double angle) { spec.material.friction_angle = radians(angle); }),
-    };
-}
-
-std::vector<Parameter> effect_parameters() {
-    return {
-        number("effects.base_friction.angle_deg", "deg", from_to_below(0, 80), "off: a rough bed",
-               "Friction angle between soil and bed, where its tangent is below the sine of the soil's own.",
-               [](CaseSpec& spec, double angle) { spec.effects.base_friction = {radians(angle)}; }),
-        integer(
-            "effects.release.layers", between(1, 10000), "off: all at once",
-            "Pouring: number of layers, each let go above the uphill end of the soil when that has come to "
-            "rest.",
-            [](CaseSpec& spec, int count) { release_of(spec).layers = count; }),
-        number("effects.release.layer_width_m", "m", positive, "required with layers", "Width of a layer.",
-               [](CaseSpec& spec, double metres) { release_of(spec).layer_width = metres; }),
-        number("effects.release.layer_height_m", "m", positive, "required with layers", "Height of a layer.",
-               [](CaseSpec& spec, double metres) { release_of(spec).layer_height = metres; }),
     };
 }
 

@@ -71,6 +71,17 @@ void check_points(const Polyline& points, const InputPlace& place) {
         if (!point.allFinite()) throw InputError(place, "has a coordinate that is not finite", "give metres");
 }
 
+void check_rows(const Parameter& parameter, const NumberRows& rows, const InputPlace& place) {
+    if (rows.empty()) throw InputError(place, "is an empty list", "valid: " + valid_values(parameter));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool complete = rows[i].size() == parameter.choices.size() &&
+                              std::ranges::all_of(rows[i], [](double v) { return std::isfinite(v); });
+        if (!complete)
+            throw InputError(place, fmt::format("has a row {} that is not complete", i + 1),
+                             "valid: " + valid_values(parameter));
+    }
+}
+
 }  // namespace
 
 bool Range::contains(double value) const {
@@ -99,6 +110,7 @@ void assign(CaseSpec& spec, const Parameter& parameter, const Value& value, cons
     if (const std::string* word = std::get_if<std::string>(&value)) check_word(parameter, *word, place);
     if (const Polyline* points = std::get_if<Polyline>(&value)) check_points(*points, place);
     if (const auto* list = std::get_if<std::vector<double>>(&value)) check_numbers(parameter, *list, place);
+    if (const auto* table = std::get_if<NumberRows>(&value)) check_rows(parameter, *table, place);
     parameter.set(spec, value);
     spec.given.insert_or_assign(std::string(parameter.key), place);
 }
@@ -115,6 +127,8 @@ std::string valid_values(const Parameter& parameter) {
             return "a list of [chainage, elevation] pairs in metres";
         case ValueKind::numbers:
             return fmt::format("a rising list of numbers{}{}", unit.empty() ? "" : " in", unit);
+        case ValueKind::rows:
+            return fmt::format("a list of rows [{}]", fmt::join(parameter.choices, ", "));
         case ValueKind::integer:
         case ValueKind::number:
             break;

@@ -13,7 +13,10 @@
 
 namespace runout {
 
-enum class ValueKind { number, integer, text, choice, points, numbers };
+enum class ValueKind { number, integer, text, choice, points, numbers, rows };
+
+/// Rows of numbers, all of one length.
+using NumberRows = std::vector<std::vector<double>>;
 
 /// Interval of valid numbers; an end that is not included is excluded.
 struct Range {
@@ -26,7 +29,7 @@ struct Range {
 };
 
 /// A value as read, in the units of the file (degrees, metres).
-using Value = std::variant<double, std::string, Polyline, std::vector<double>>;
+using Value = std::variant<double, std::string, Polyline, std::vector<double>, NumberRows>;
 
 /// One key of a case file: all that reading, checking and explaining it takes.
 struct Parameter {
@@ -34,7 +37,7 @@ struct Parameter {
     ValueKind kind;
     std::string_view unit;  ///< "" for pure numbers and words
     Range range;            ///< of numbers, integers and each of a list of numbers
-    std::vector<std::string_view> choices;
+    std::vector<std::string_view> choices;  ///< valid words; of rows: what each number of a row is
     std::string_view fallback;           ///< what holds when the key is absent, in words
     std::string_view help;               ///< one sentence
     std::vector<SourceType> applies_to;  ///< source types that know this key; empty: all
@@ -43,6 +46,12 @@ struct Parameter {
 
 /// The table of all keys, in the order of the documentation.
 std::span<const Parameter> parameters();
+
+/// Sections that may stand several times in a case, as [[gauge]] does: their keys belong to the latest entry.
+bool is_list_section(std::string_view section);
+
+/// Begins one more entry of such a section.
+void begin_entry(CaseSpec& spec, std::string_view section);
 
 /// nullptr when there is no such key.
 const Parameter* find_parameter(std::string_view key);

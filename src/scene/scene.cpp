@@ -10,6 +10,7 @@
 #include "scene/case_checks.h"
 #include "scene/case_spec.h"
 #include "scene/parameters.h"
+#include "scene/place_effects.h"
 
 namespace runout {
 namespace {
@@ -106,11 +107,14 @@ Scene make_scene(const CaseSpec& spec) {
     check_friction_angle(spec);
     Site site = make_site(spec);
     check_particle_count(spec, site.source.area);
+    Effects effects = place_effects(spec, site);
+    std::vector<Gauge> gauges = place_gauges(spec, site.profile);
     return {.name = spec.name,
             .profile = std::move(site.profile),
             .source = std::move(site.source),
             .material = spec.material,
-            .effects = spec.effects,
+            .effects = std::move(effects),
+            .gauges = std::move(gauges),
             .run = spec.run,
             .assumed = std::move(site.assumed)};
 }

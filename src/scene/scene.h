@@ -1,10 +1,10 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "profile/profile.h"
+#include "scene/effects.h"
 #include "source/source.h"
 
 namespace runout {
@@ -38,25 +38,6 @@ struct RunSettings {
     int threads = 0;                     ///< 0: all cores
 };
 
-/// Coulomb friction between the soil and its bed where it is less than the soil's own.
-struct BaseFriction {
-    double angle = 0;  ///< delta, rad: traction on the bed at most p tan(delta)
-};
-
-/// Pouring: each time the soil has come to rest, one more layer is let go just above its uphill end.
-struct StagedRelease {
-    int layers = 0;
-    double layer_width = 0;   ///< m
-    double layer_height = 0;  ///< m
-};
-
-/// What goes beyond gravity, Coulomb friction, incompressibility and a rough rigid bed: absent unless the
-/// case names it.
-struct Effects {
-    std::optional<BaseFriction> base_friction;
-    std::optional<StagedRelease> release;
-};
-
 /// The question, whole and valid: what stands, what moves, of what, and how to simulate it.
 struct Scene {
     std::string name;
@@ -64,6 +45,7 @@ struct Scene {
     Source source;
     Material material;
     Effects effects;
+    std::vector<Gauge> gauges;  ///< in the order of the case
     RunSettings run;
     std::vector<std::string>
         assumed;  ///< "source.base_angle_deg = 35", what was not given and had to be chosen

@@ -44,6 +44,10 @@ StoredRun describe_run(const Scene& scene, const RunResult& result) {
     run.status_detail = result.status_detail;
     run.measures = result.measures;
     run.work = result.work;
+    run.effects = result.effects;
+    run.advice = result.advice;
+    run.gauges = result.gauges;
+    run.barriers = result.barriers;
     return run;
 }
 

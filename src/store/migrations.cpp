@@ -39,6 +39,80 @@ CREATE TABLE stage (
     PRIMARY KEY (run_id, row_index)
 ) STRICT, WITHOUT ROWID;
 )"},
+        Migration{2, R"(
+ALTER TABLE measure ADD COLUMN eroded_area_m2 REAL;
+CREATE TABLE effect_setting (
+    scenario_id    INTEGER NOT NULL REFERENCES scenario ON DELETE CASCADE,
+    setting_index  INTEGER NOT NULL,
+    effect         TEXT NOT NULL,
+    key            TEXT NOT NULL,
+    value          TEXT NOT NULL,
+    PRIMARY KEY (scenario_id, setting_index)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE run_effect (
+    run_id     INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index  INTEGER NOT NULL,
+    effect     TEXT NOT NULL,
+    is_on      INTEGER NOT NULL CHECK (is_on IN (0, 1)),
+    why        TEXT NOT NULL,
+    cost_s     REAL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE advice (
+    run_id     INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index  INTEGER NOT NULL,
+    sentence   TEXT NOT NULL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE gauge (
+    run_id                   INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    gauge_index              INTEGER NOT NULL,
+    name                     TEXT NOT NULL,
+    chainage_m               REAL,
+    arrival_time_s           REAL,
+    greatest_thickness_m     REAL,
+    greatest_speed_m_s       REAL,
+    greatest_kinetic_head_m  REAL,
+    passed_area_m2           REAL,
+    PRIMARY KEY (run_id, gauge_index)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE gauge_series (
+    run_id          INTEGER NOT NULL,
+    gauge_index     INTEGER NOT NULL,
+    row_index       INTEGER NOT NULL,
+    time_s          REAL,
+    thickness_m     REAL,
+    speed_m_s       REAL,
+    kinetic_head_m  REAL,
+    passed_area_m2  REAL,
+    PRIMARY KEY (run_id, gauge_index, row_index),
+    FOREIGN KEY (run_id, gauge_index) REFERENCES gauge ON DELETE CASCADE
+) STRICT, WITHOUT ROWID;
+CREATE TABLE barrier (
+    run_id                 INTEGER PRIMARY KEY REFERENCES run ON DELETE CASCADE,
+    arrival_time_s         REAL,
+    greatest_force_n_m     REAL,
+    greatest_force_time_s  REAL,
+    greatest_moment_n      REAL,
+    impulse_n_s_m          REAL,
+    last_force_n_m         REAL,
+    run_up_m               REAL,
+    overtopped_area_m2     REAL,
+    approach_speed_m_s     REAL,
+    approach_thickness_m   REAL,
+    design_force_n_m       REAL
+) STRICT;
+CREATE TABLE barrier_series (
+    run_id           INTEGER NOT NULL REFERENCES barrier ON DELETE CASCADE,
+    row_index        INTEGER NOT NULL,
+    time_s           REAL,
+    force_x_n_m      REAL,
+    force_y_n_m      REAL,
+    moment_n         REAL,
+    impulse_x_n_s_m  REAL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT, WITHOUT ROWID;
+)"},
     };
     return steps;
 }

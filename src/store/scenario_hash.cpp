@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/version.h"
+#include "scene/effect_settings.h"
 #include "store/store.h"
 
 namespace runout {
@@ -78,24 +79,19 @@ std::string source_text(const Source& source) {
 
 /// An effect that is absent leaves no text, so that scenarios without it keep their identity when it is
 /// invented.
-void add_effects(CanonicalText& text, const Effects& effects) {
-    const auto& [base_friction, release] = effects;
-    if (base_friction) {
-        const auto& [angle] = *base_friction;
-        text.add("base_friction_angle", angle);
-    }
-    if (release) {
-        const auto& [layers, width, height] = *release;
-        text.add("release_layers", static_cast<double>(layers));
-        text.add("release_layer_width", width);
-        text.add("release_layer_height", height);
+void add_effects(CanonicalText& text, const Scene& scene) {
+    for (const EffectSetting& setting : effect_settings(scene.effects, scene.profile))
+        text.add(fmt::format("{}.{}", setting.effect, setting.key).c_str(), setting.value);
+    for (const auto& [name, x] : scene.gauges) {
+        text.add("gauge", name);
+        text.add("gauge_x", x);
     }
 }
 
-std::string question_text(const Material& material, const Effects& effects, const RunSettings& run) {
-    const auto& [density, friction_angle] = material;
+std::string question_text(const Scene& scene) {
+    const auto& [density, friction_angle] = scene.material;
     const auto& [spacing, resolution, gravity, courant, smoothing, friction, iterations, tolerance,
-                 time_limit, front_thickness, lattice_seed, snapshot_times, threads] = run;
+                 time_limit, front_thickness, lattice_seed, snapshot_times, threads] = scene.run;
     CanonicalText text;
     text.add("density", density);
     text.add("friction_angle", friction_angle);
@@ -111,7 +107,7 @@ std::string question_text(const Material& material, const Effects& effects, cons
     text.add("front_thickness", front_thickness);
     if (lattice_seed != 0) text.add("lattice_seed", static_cast<double>(lattice_seed));
     for (const double time : snapshot_times) text.add("snapshot_time", time);
-    add_effects(text, effects);
+    add_effects(text, scene);
     return text.text();
 }
 
@@ -121,7 +117,7 @@ SceneIdentity scene_identity(const Scene& scene) {
     const std::string section = section_text(scene.profile);
     const std::string source = section + source_text(scene.source);
     // The version stands for the numerics: a release that changes results must not take over the old ones.
-    const std::string scenario = source + question_text(scene.material, scene.effects, scene.run) +
+    const std::string scenario = source + question_text(scene) +
                                  "program_version " + program_version() + "\n";
     return {sha256_hex(section), sha256_hex(source), sha256_hex(scenario)};
 }

@@ -8,6 +8,7 @@
 
 #include "core/input_error.h"
 #include "store/database.h"
+#include "store/effect_rows.h"
 #include "store/run_rows.h"
 #include "store/write_scenario.h"
 
@@ -48,6 +49,7 @@ long Store::add(const Scene& scene, const RunResult& result) {
         insert_snapshots(database, run_id, result.snapshots);
         insert_stages(database, run_id, result.stages);
         insert_phases(database, run_id, result.phases);
+        insert_effects(database, run_id, result);
         transaction.commit();
         return run_id;
     });
@@ -58,8 +60,11 @@ std::vector<StoredRun> Store::runs() const {
 }
 
 StoredRun Store::run(long run_id) const {
-    const auto found =
-        impl_->with_database([=](SQLite::Database& database) { return select_runs(database, run_id); });
+    const auto found = impl_->with_database([=](SQLite::Database& database) {
+        std::vector<StoredRun> runs = select_runs(database, run_id);
+        for (StoredRun& run : runs) select_effects(database, run);
+        return runs;
+    });
     if (found.empty())
         throw InputError({.file = impl_->path, .line = 0, .key = "run_id", .value = std::to_string(run_id)},
                          "no such run", "`runout table` lists the stored runs");

@@ -35,6 +35,11 @@ struct StoredRun {
     std::string status_detail;
     Measures measures;
     RunWork work;
+    // Of a run that is looked at by itself; left out where runs are listed.
+    std::vector<EffectRow> effects;
+    std::vector<std::string> advice;
+    std::vector<GaugeRecord> gauges;
+    std::vector<BarrierRecord> barriers;  ///< one, or none
 };
 
 /// The run that has just ended, by this program on this machine, as `Store::add` writes it. For telling the

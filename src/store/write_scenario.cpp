@@ -5,10 +5,12 @@
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 
 #include "core/units.h"
+#include "store/effect_rows.h"
 #include "store/scenario_hash.h"
 
 namespace runout {
@@ -78,9 +80,10 @@ long insert_source(Database& database, long section_id, const Source& source, co
     return source_id;
 }
 
-/// An absent effect leaves its columns NULL.
+/// Columns of version 2, kept for those who read them; all effects are in effect_setting. An absent effect
+/// leaves its columns NULL.
 void write_effects(Database& database, long scenario_id, const Effects& effects) {
-    if (effects.base_friction) {
+    if (effects.base_friction && std::isfinite(effects.base_friction->angle)) {
         Statement statement(database,
                             "UPDATE scenario SET base_friction_angle_deg = ? WHERE scenario_id = ?");
         SQLite::bind(statement, degrees(effects.base_friction->angle), scenario_id);
@@ -111,6 +114,7 @@ long insert_scenario(Database& database, long source_id, const Scene& scene, con
                  fmt::format("[{}]", fmt::join(run.snapshot_times, ", ")));
     const long scenario_id = insert(database, statement);
     write_effects(database, scenario_id, scene.effects);
+    insert_effect_settings(database, scenario_id, scene);
     return scenario_id;
 }
 

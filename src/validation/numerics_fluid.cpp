@@ -78,7 +78,8 @@ void Cloud::pressure_gradient(const std::vector<double>& pressure, std::vector<d
 Fluid::Fluid(double spacing, const std::vector<Vec2>& points, const BedLine& bed, double speed, double length,
              double gravity)
     : cloud(spacing, points, bed),
-      friction_(cloud.d, Material{density, 0.0}, {}, settings(gravity), 1),
+      gravity_(gravity),
+      friction_(cloud.d, YieldStrength(Material{density, 0.0}, {}, {}), settings(gravity), 1),
       pressure_(cloud.d, speed * speed / length, length, pressure_tolerance, 1) {}
 
 double Fluid::time_step() const {
@@ -95,7 +96,7 @@ void Fluid::step(double end) {
     Soil& soil = cloud.soil;
     cloud.find();
     const double dt = std::min(time_step(), end - time_);
-    friction_.predict(cloud.n, soil, cloud.wall, dt, vx_, vy_);
+    friction_.predict(cloud.n, soil, cloud.wall, {.dt = dt, .body = {0.0, -gravity_}}, vx_, vy_);
     highest_pressure_ = pressure_.solve(cloud.n, soil, cloud.wall, vx_, vy_, {.dt = dt}).highest;
     cloud.pressure_gradient(pressure_.node_pressure(), gx_, gy_);
     for (int i = 0; i < soil.count; ++i) {

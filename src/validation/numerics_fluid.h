@@ -64,6 +64,7 @@ class Fluid {
     [[nodiscard]] double time_step() const;
     void guard_wall();
 
+    double gravity_;
     Friction friction_;
     PressureSolver pressure_;
     std::vector<double> vx_, vy_, gx_, gy_;

@@ -32,7 +32,7 @@ class ShearedBlock {
   public:
     /// `inertial_number`: rate dl sqrt(rho / p). `step`: in dl / sqrt(p / rho).
     ShearedBlock(FrictionScheme scheme, double inertial_number, double step);
-    void shear() { friction_.predict(cloud_.n, cloud_.soil, cloud_.wall, dt_, vx_, vy_); }
+    void shear() { friction_.predict(cloud_.n, cloud_.soil, cloud_.wall, {.dt = dt_}, vx_, vy_); }
     [[nodiscard]] ShearStress stress() const;
     /// Shear strain in one step.
     [[nodiscard]] double strain() const { return rate_ * dt_; }
@@ -57,7 +57,7 @@ ShearedBlock::ShearedBlock(FrictionScheme scheme, double inertial_number, double
     : rate_(inertial_number * cells * std::sqrt(pressure / density)),
       dt_(step / cells / std::sqrt(pressure / density)),
       cloud_(1.0 / cells, lattice(1.0 / cells, {-0.5, -0.5}, {0.5, 0.5}), no_bed()),
-      friction_(cloud_.d, Material{density, radians(friction_angle_deg)}, {}, settings(scheme), 1) {
+      friction_(cloud_.d, YieldStrength(Material{density, radians(friction_angle_deg)}, {}, {}), settings(scheme), 1) {
     Soil& soil = cloud_.soil;
     std::fill_n(soil.pressure.begin(), soil.count, pressure);
     for (int i = 0; i < soil.count; ++i) soil.vx[i] = rate_ * soil.y[i];

@@ -1,0 +1,75 @@
+#include "core/csv_rows.h"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+namespace runout {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::string_view unquoted(std::string_view text) {
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+    return trimmed(text);
+}
+
+std::vector<std::string> split(std::string_view line) {
+    std::vector<std::string> fields;
+    for (std::size_t begin = 0; begin <= line.size();) {
+        const auto end = std::min(line.find(',', begin), line.size());
+        fields.emplace_back(unquoted(trimmed(line.substr(begin, end - begin))));
+        begin = end + 1;
+    }
+    return fields;
+}
+
+std::ifstream opened(const std::string& path, const std::string& valid) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored))
+        throw InputError({path, 0, "", ""}, "does not exist",
+                         valid);
+    if (std::filesystem::is_directory(path, ignored))
+        throw InputError({path, 0, "", ""}, "is a directory",
+                         valid);
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw InputError({path, 0, "", ""}, "cannot be opened", "check that you may read it");
+    return file;
+}
+
+}  // namespace
+
+std::vector<CsvRow> read_csv_rows(const std::string& path, const std::string& valid) {
+    std::ifstream file = opened(path, valid);
+    std::vector<CsvRow> rows;
+    std::string text;
+    for (int line = 1; std::getline(file, text); ++line) {
+        std::string_view rest = text;
+        if (line == 1 && rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+        rest = trimmed(rest.substr(0, rest.find('#')));
+        if (!rest.empty()) rows.push_back({line, split(rest)});
+    }
+    return rows;
+}
+
+double csv_number(const InputPlace& place, const std::string& valid) {
+    const std::string& text = place.value;
+    const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
+    const char* end = text.data() + text.size();
+    if (begin == end) throw InputError(place, "is empty", valid);
+    double value = 0;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error == std::errc::invalid_argument || stop != end)
+        throw InputError(place, "is not a number", valid);
+    if (error == std::errc::result_out_of_range || !std::isfinite(value))
+        throw InputError(place, "is not a finite number", valid);
+    return value;
+}
+
+}  // namespace runout

@@ -1,0 +1,134 @@
+// The hooks of the simulation for effects that a case names; see docs/effects.md. None is called unless its
+// effect is there.
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/bed_shape.h"
+#include "engine/later_masses.h"
+#include "engine/operators.h"
+#include "engine/packing.h"
+#include "engine/side_walls.h"
+#include "engine/simulation.h"
+
+namespace runout {
+namespace {
+
+constexpr double moved_spacings = 2.0;  // that soil of the bed must move to count as debris
+
+}  // namespace
+
+void Simulation::set_up_effects() {
+    pressure_.bear_tension(tension_cut_off(material_, effects_));
+    if (effects_.erodible_bed) {
+        Source layer;
+        layer.outline = layer_outline(ground_.points(), *effects_.erodible_bed);
+        layer.bed = bed_.points();
+        layer.area = polygon_area(layer.outline);
+        const Packing packing = pack_source(layer, discretisation_.spacing, run_.smoothing_ratio);
+        std::vector<Vec2> points;
+        for (std::size_t i = 0; i < packing.x.size(); ++i) points.emplace_back(packing.x[i], packing.y[i]);
+        first_layer_id_ = soil_.count;
+        end_layer_id_ = first_layer_id_ + static_cast<int>(points.size());
+        append_soil(soil_, points);
+        start_.insert(start_.end(), points.begin(), points.end());
+        mark_ = start_;
+        layer_moved_.assign(points.size(), 0);
+    }
+    if (effects_.pore_pressure)
+        pore_water_.emplace(*effects_.pore_pressure, discretisation_, run_.gravity, start_);
+    if (effects_.shaking) ground_motion_.emplace(*effects_.shaking);
+    if (effects_.barrier) {
+        Effects others = effects_;
+        others.barrier.reset();
+        barrier_.emplace(barrier_outline(shape_bed(ground_.points(), others), *effects_.barrier), bed_, wall_,
+                         discretisation_);
+    }
+}
+
+double& Simulation::cost_of(const char* effect) {
+    for (EffectCost& cost : effect_costs_)
+        if (cost.effect == effect) return cost.seconds;
+    return effect_costs_.emplace_back(EffectCost{effect, 0.0}).seconds;
+}
+
+/// Gravity, less the acceleration of the frame.
+Vec2 Simulation::body_acceleration() const {
+    const Vec2 gravity{0.0, -run_.gravity};
+    return ground_motion_ ? Vec2(gravity - ground_motion_->acceleration(time_)) : gravity;
+}
+
+void Simulation::brake(double dt) {
+    const Stopwatch watch(cost_of("side_walls"));
+    side_wall_work_ +=
+        discretisation_.mass() * brake_by_side_walls(*effects_.side_walls, discretisation_,
+                                                     pore_water_ ? &pore_pressure_ : nullptr, dt, soil_);
+}
+
+void Simulation::measure_barrier(double dt) {
+    const Stopwatch watch(cost_of("barrier"));
+    barrier_->measure(neighbours_, soil_, wall_, dt);
+}
+
+/// Soil of the layer counts as debris from when it has moved by two spacings, and stays it.
+void Simulation::note_moved_layer() {
+    const double far2 = std::pow(moved_spacings * discretisation_.spacing, 2);
+    resting_layer_.assign(static_cast<std::size_t>(soil_.count), 0);
+    for (int i = 0; i < soil_.count; ++i) {
+        if (soil_.id[i] < first_layer_id_ || soil_.id[i] >= end_layer_id_) continue;
+        char& moved = layer_moved_[static_cast<std::size_t>(soil_.id[i] - first_layer_id_)];
+        if (moved == 0 && (Vec2{soil_.x[i], soil_.y[i]} - start_[soil_.id[i]]).squaredNorm() > far2) moved = 1;
+        resting_layer_[i] = moved == 0 ? 1 : 0;
+    }
+}
+
+double Simulation::eroded_area() const {
+    return discretisation_.volume() * static_cast<double>(std::count(layer_moved_.begin(), layer_moved_.end(), 1));
+}
+
+std::vector<double> Simulation::strain_rate() const {
+    std::vector<FloatPair> velocity(neighbours_.nodes, FloatPair{});
+    for (int i = 0; i < soil_.count; ++i)
+        velocity[i] = {static_cast<float>(soil_.vx[i]), static_cast<float>(soil_.vy[i])};
+    std::vector<double> rate(soil_.count, 0.0);
+    for (const PairBlock& block : neighbours_.blocks) {
+        for_each_velocity_gradient(block, neighbours_, velocity.data(),
+                                   [&](int i, const VelocityGradient& plain) {
+                                       const VelocityGradient g = plain.corrected(neighbours_, i);
+                                       rate[i] = std::hypot(g.exx(), g.exy());
+                                   });
+    }
+    return rate;
+}
+
+/// More soil, at rest. What was at rest is taken as at rest, and energy is reckoned anew from here.
+void Simulation::add_soil(const std::vector<Vec2>& points) {
+    append_soil(soil_, points);
+    start_.insert(start_.end(), points.begin(), points.end());
+    mark_.insert(mark_.end(), points.begin(), points.end());
+    if (pore_water_) pore_water_->append(points);
+    make_room();
+    resting_windows_ = 0;
+    mark_time_ = time_;
+    stage_start_ = time_;
+    energy_marked_ = false;
+    stage_ended_ = false;
+}
+
+/// The next mass of a staged release, with the bed that it leaves.
+void Simulation::release_mass() {
+    const LaterMass& mass = release_.masses[masses_released_++];
+    ground_ = BedLine(mass.bed);
+    bed_ = BedLine(shape_bed(mass.bed, effects_));
+    wall_ = make_wall(bed_, discretisation_);
+    pressure_.forget_wall();
+    friction_.set_yield(
+        YieldStrength(material_, effects_, base_strength_ratios(material_, effects_, wall_)));
+    if (barrier_) barrier_->find_segments(bed_, wall_);
+    const std::vector<Vec2> points =
+        place_mass(mass, soil_, discretisation_.spacing, run_.smoothing_ratio);
+    for (const Vec2& p : points) height_ = std::max(height_, p.y() - floor_);
+    add_soil(points);
+}
+
+}  // namespace runout

@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "measures/effect_cost.h"
+#include "program/case_arguments.h"
+#include "program/command.h"
+#include "scene/effect_settings.h"
+
+namespace runout {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct EffectsArguments {
+    CaseArguments scenario;
+    bool json = false;
+};
+
+/// "cohesion_kpa = 5, tension_cut_off_kpa = 2"
+std::string settings_of(const std::vector<EffectSetting>& settings, const std::string& effect) {
+    std::string text;
+    for (const EffectSetting& setting : settings)
+        if (setting.effect == effect)
+            text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", setting.key, setting.value);
+    return text.size() > 90 ? text.substr(0, 87) + "..." : text;
+}
+
+std::string cost_text(const MeasuredEffect& effect) {
+    if (!effect.on) return "nothing";
+    if (std::isnan(effect.share)) return "not measured";
+    return fmt::format("{:+.0f} % of a step", 100 * effect.share);
+}
+
+std::string text_of(const Scene& scene, const std::vector<MeasuredEffect>& effects) {
+    const auto settings = effect_settings(scene.effects, scene.profile);
+    std::string text = fmt::format("Effects of {}: what the case does not name is not there.\n", scene.name);
+    text += fmt::format("  {:<14} {:<4} {:<16} {}\n", "effect", "", "costs", "why");
+    for (const MeasuredEffect& effect : effects) {
+        const std::string given = settings_of(settings, effect.name);
+        text += fmt::format("  {:<14} {:<4} {:<16} {}{}\n", effect.name, effect.on ? "on" : "off", cost_text(effect),
+                            effect.why, given.empty() ? "" : " (" + given + ")");
+    }
+    text += "Costs are CPU time of the first steps at low resolution, with all effects of the case and without the one.\n";
+    return text;
+}
+
+std::string json_of(const Scene& scene, const std::vector<MeasuredEffect>& effects) {
+    Json object = Json::object();
+    for (const MeasuredEffect& effect : effects) {
+        Json settings = Json::object();
+        for (const EffectSetting& setting : effect_settings(scene.effects, scene.profile))
+            if (setting.effect == effect.name) settings[setting.key] = setting.value;
+        object[effect.name] = {{"on", effect.on},
+                               {"why", effect.why},
+                               {"settings", settings},
+                               {"cost_share", std::isnan(effect.share) ? Json(nullptr) : Json(effect.share)}};
+    }
+    return object.dump(2) + "\n";
+}
+
+int show_effects(const EffectsArguments& arguments) {
+    const Scene scene = make_scene(case_from(arguments.scenario));
+    log_assumptions(scene.assumed);
+    const std::vector<MeasuredEffect> effects = measure_effects(scene);
+    fmt::print("{}", arguments.json ? json_of(scene, effects) : text_of(scene, effects));
+    return exit_code::success;
+}
+
+}  // namespace
+
+void add_effects_command(CLI::App& app, Command& command) {
+    const auto arguments = std::make_shared<EffectsArguments>();
+    CLI::App* sub =
+        app.add_subcommand("effects", "Show which effects a case asks for, why, and what each costs");
+    add_case_arguments(*sub, arguments->scenario);
+    sub->add_flag("--json", arguments->json, "Print them as one JSON object")->group("Output");
+    sub->callback([arguments, &command] { command = [arguments] { return show_effects(*arguments); }; });
+}
+
+}  // namespace runout

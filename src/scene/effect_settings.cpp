@@ -1,0 +1,198 @@
+#include "scene/effect_settings.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "core/units.h"
+
+namespace runout {
+namespace {
+
+/// Collects the settings of one effect after the other.
+class Settings {
+  public:
+    explicit Settings(const Profile& profile) : profile_(profile) {}
+
+    void begin(const char* effect) { effect_ = effect; }
+    void add(const char* key, const std::string& value) { settings_.push_back({effect_, key, value}); }
+    // -0 and 0 are the same number, so they must be the same text.
+    void add(const char* key, double value) { add(key, fmt::format("{}", value + 0.0)); }
+    /// Left out where it was not given.
+    void add_if_given(const char* key, double value) {
+        if (!std::isnan(value)) add(key, value);
+    }
+    void add(const char* key, const std::vector<double>& values) {
+        add(key, fmt::format("[{}]", fmt::join(values, ", ")));
+    }
+    void add(const char* key, const std::vector<Vec2>& points) {
+        std::string text;
+        for (const Vec2& p : points) text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", p.x(), p.y());
+        add(key, "[" + text + "]");
+    }
+    [[nodiscard]] double chainage(double x) const { return profile_.to_section({x, 0}).x(); }
+    [[nodiscard]] std::vector<Vec2> to_section(std::vector<Vec2> points) const {
+        for (Vec2& p : points) p = profile_.to_section(p);
+        return points;
+    }
+    [[nodiscard]] std::vector<EffectSetting> take() { return std::move(settings_); }
+
+  private:
+    const Profile& profile_;
+    std::string effect_;
+    std::vector<EffectSetting> settings_;
+};
+
+// The structs are taken apart member by member: one that is added later stops the build here, where it must
+// be written down.
+
+void add(Settings& out, const BaseFriction& effect) {
+    const auto& [angle, ranges] = effect;
+    out.begin("base_friction");
+    out.add_if_given("angle_deg", degrees(angle));
+    std::string text;
+    for (const auto& [from, to, own] : ranges) {
+        const auto [low, high] = std::minmax(out.chainage(from), out.chainage(to));
+        text += fmt::format("{}[{}, {}, {}]", text.empty() ? "" : ", ", low, high, degrees(own));
+    }
+    if (!ranges.empty()) out.add("ranges", "[" + text + "]");
+}
+
+void add(Settings& out, const Cohesion& effect) {
+    const auto& [strength, tension] = effect;
+    out.begin("cohesion");
+    out.add("cohesion_kpa", 1e-3 * strength);
+    out.add_if_given("tension_cut_off_kpa", 1e-3 * tension);
+}
+
+void add(Settings& out, const RateDependence& effect) {
+    const auto& [increase, inertial_number, diameter, density] = effect;
+    out.begin("rate");
+    out.add("grain_diameter_m", diameter);
+    out.add("grain_density_kg_m3", density);
+    out.add("friction_increase", increase);
+    out.add("inertial_number", inertial_number);
+}
+
+void add(Settings& out, const PorePressure& effect) {
+    const auto& [ratio, field, excess, time] = effect;
+    out.begin("pore_pressure");
+    if (field.empty()) out.add("ratio", ratio);
+    std::vector<Vec2> points = field;
+    for (Vec2& p : points) p.x() = out.chainage(p.x());
+    if (!field.empty()) out.add("ratio_points", points);
+    if (excess == 0) return;
+    out.add("base_excess_ratio", excess);
+    if (std::isfinite(time)) out.add("dissipation_time_s", time);
+}
+
+void add(Settings& out, const Barrier& effect) {
+    const auto& [x, height, inclination, thickness, coefficient] = effect;
+    out.begin("barrier");
+    out.add("chainage_m", out.chainage(x));
+    out.add("height_m", height);
+    out.add("inclination_deg", degrees(inclination));
+    out.add("thickness_m", thickness);
+    out.add("load_coefficient", coefficient);
+}
+
+void add(Settings& out, const Shaking& effect) {
+    const auto& [time, horizontal, vertical] = effect;
+    out.begin("shaking");
+    if (!time.empty()) out.add("time_s", time);
+    out.add("horizontal_m_s2", horizontal);
+    out.add("vertical_m_s2", vertical);
+}
+
+void add(Settings& out, const SideWalls& effect) {
+    const auto& [width, angle] = effect;
+    out.begin("side_walls");
+    out.add("width_m", width);
+    out.add("friction_angle_deg", degrees(angle));
+}
+
+void add(Settings& out, const StagedRelease& effect) {
+    const auto& [layers, width, height, masses] = effect;
+    out.begin("release");
+    if (layers > 0) {
+        out.add("layers", static_cast<double>(layers));
+        out.add("layer_width_m", width);
+        out.add("layer_height_m", height);
+    }
+    for (const auto& [time, outline, bed, area] : masses) {
+        out.add("mass.time_s", time);
+        out.add("mass.points", out.to_section(outline));
+    }
+}
+
+void add(Settings& out, const ErodibleBed& effect) {
+    const auto& [depth, from, to] = effect;
+    const auto [low, high] = std::minmax(out.chainage(from), out.chainage(to));
+    out.begin("erodible_bed");
+    out.add("depth_m", depth);
+    out.add("from_chainage_m", low);
+    out.add("to_chainage_m", high);
+}
+
+template <class Effect>
+void add_if_there(Settings& out, const std::optional<Effect>& effect) {
+    if (effect) add(out, *effect);
+}
+
+}  // namespace
+
+std::vector<EffectSetting> effect_settings(const Effects& effects, const Profile& profile) {
+    const auto& [base_friction, cohesion, rate, pore_pressure, barrier, shaking, side_walls, release,
+                 erodible_bed] = effects;
+    Settings out(profile);
+    add_if_there(out, base_friction);
+    add_if_there(out, cohesion);
+    add_if_there(out, rate);
+    add_if_there(out, pore_pressure);
+    add_if_there(out, barrier);
+    add_if_there(out, shaking);
+    add_if_there(out, side_walls);
+    add_if_there(out, release);
+    add_if_there(out, erodible_bed);
+    return out.take();
+}
+
+std::vector<EffectState> effect_states(const Effects& effects, std::size_t gauges) {
+    const auto state = [](const char* name, bool on, const char* with, const char* without) {
+        return EffectState{name, on, on ? with : without};
+    };
+    return {
+        state("base_friction", effects.base_friction.has_value(), "the bed has a friction of its own",
+              "the bed is rough: the soil's own friction holds on it"),
+        state("cohesion", effects.cohesion.has_value(), "strength that does not come from pressure",
+              "the soil has friction only"),
+        state("rate", effects.rate.has_value(), "friction grows with the inertial number",
+              "friction does not depend on the rate"),
+        state("pore_pressure", effects.pore_pressure.has_value(), "water takes pressure off the grains",
+              "the soil is dry, or its friction angle stands for the water"),
+        state("barrier", effects.barrier.has_value(), "a rigid obstacle on the bed", "nothing stands in the way"),
+        state("shaking", effects.shaking.has_value(), "the ground is accelerated", "the ground is still"),
+        state("side_walls", effects.side_walls.has_value(), "friction on the walls of a channel",
+              "the slide is infinitely wide"),
+        state("release", effects.release.has_value(), "several releases, one after the other",
+              "the whole source is let go at once"),
+        state("erodible_bed", effects.erodible_bed.has_value(), "a layer of the bed may move", "the bed is rigid"),
+        state("gauges", gauges > 0, "passing debris is measured", "nothing is measured on the way"),
+    };
+}
+
+Effects without(Effects effects, const std::string& name) {
+    if (name == "base_friction") effects.base_friction.reset();
+    if (name == "cohesion") effects.cohesion.reset();
+    if (name == "rate") effects.rate.reset();
+    if (name == "pore_pressure") effects.pore_pressure.reset();
+    if (name == "barrier") effects.barrier.reset();
+    if (name == "shaking") effects.shaking.reset();
+    if (name == "side_walls") effects.side_walls.reset();
+    if (name == "release") effects.release.reset();
+    if (name == "erodible_bed") effects.erodible_bed.reset();
+    return effects;
+}
+
+}  // namespace runout

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "profile/profile.h"
+#include "scene/effects.h"
+
+namespace runout {
+
+/// What a case said of one effect, as one line of its file would: in its units, numbers in the shortest text
+/// that reads back the same.
+struct EffectSetting {
+    std::string effect;  ///< "cohesion"
+    std::string key;     ///< "cohesion_kpa"
+    std::string value;
+};
+
+/// All settings of the effects that are there, in the order of the documentation. Effects that are absent
+/// have none.
+std::vector<EffectSetting> effect_settings(const Effects& effects, const Profile& profile);
+
+/// One effect of the program: whether the case asks for it, and what it says when it does not.
+struct EffectState {
+    std::string name;  ///< "pore_pressure", as in the case file
+    bool on = false;
+    std::string meaning;  ///< "water in the pores takes off pressure", "no water: the soil is dry"
+};
+
+/// Every effect the program knows, and the gauges, on or off.
+std::vector<EffectState> effect_states(const Effects& effects, std::size_t gauges);
+
+/// The same effects without the one of that name.
+Effects without(Effects effects, const std::string& name);
+
+}  // namespace runout
