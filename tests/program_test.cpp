@@ -475,5 +475,25 @@ TEST_F(ProgramTest, ADatabaseIsNotMadeForBadInput) {
     EXPECT_FALSE(fs::exists(work("new.db")));
 }
 
+TEST_F(ProgramTest, EffectsAreListedOnOrOffWithTheirCost) {
+    write("wet.toml", std::string(sound_case) + "[effects.pore_pressure]\nratio = 0.1\n");
+    const Outcome outcome = runout({"effects", "wet.toml"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("pore_pressure  on"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("ratio = 0.1"), std::string::npos);
+    EXPECT_NE(outcome.out.find("cohesion       off  nothing"), std::string::npos) << outcome.out;
+    EXPECT_EQ(files(), (std::set<std::string>{"case.toml", "section.csv", "wet.toml"}));
+}
+
+TEST_F(ProgramTest, ARunSaysWhichEffectsItHad) {
+    write("gauged.toml", std::string(sound_case) + "[[gauge]]\nname = \"house\"\nchainage_m = 0.5\n");
+    const Outcome outcome = runout({"run", "gauged.toml"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("Gauge house at chainage 0.5 m: arrival after"), std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("Effects on: gauges"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("Off: base_friction, cohesion"), std::string::npos) << outcome.out;
+}
+
 }  // namespace
 }  // namespace runout

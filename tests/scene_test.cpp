@@ -16,6 +16,7 @@
 #include "core/input_error.h"
 #include "core/units.h"
 #include "scene/case_file.h"
+#include "scene/effect_settings.h"
 #include "scene/parameters.h"
 
 namespace runout {
@@ -96,7 +97,7 @@ TEST(Parameters, HaveUniqueKeysInKnownSectionsAndSayWhatTheyAre) {
         EXPECT_FALSE(parameter.fallback.empty()) << parameter.key;
         EXPECT_TRUE(parameter.help.ends_with('.') || parameter.help.ends_with("file.")) << parameter.key;
         const std::string section(parameter.key.substr(0, parameter.key.find('.')));
-        const std::set<std::string> known = {"section", "source", "material", "effects", "run"};
+        const std::set<std::string> known = {"section", "source", "material", "effects", "gauge", "run"};
         EXPECT_TRUE(known.contains(section)) << section;
     }
 }
@@ -112,6 +113,8 @@ std::string sample_text(const Parameter& parameter) {
             return "[[1.0, 2.0], [3.0, 4.0], [1, 3]]";
         case ValueKind::numbers:
             return "[0.25, 0.5]";
+        case ValueKind::rows:
+            return parameter.choices.size() == 2 ? "[[1, 0.2], [2, 0.3]]" : "[[1, 2, 10]]";
         case ValueKind::integer:
             return "7";
         case ValueKind::number:
@@ -141,10 +144,12 @@ std::string everything(const CaseSpec& c) {
                     r.friction_iterations, r.pressure_tolerance, r.time_limit, r.front_thickness, r.threads);
     text += fmt::format("|{}|{}", r.lattice_seed, fmt::join(r.snapshot_times, " "));
     const Effects& e = c.effects;
-    if (e.base_friction) text += fmt::format("|base {}", e.base_friction->angle);
-    if (e.release)
-        text += fmt::format("|release {} {} {}", e.release->layers, e.release->layer_width,
-                            e.release->layer_height);
+    for (const EffectSetting& setting : effect_settings(e, Profile{}))
+        text += fmt::format("|{}.{} {}", setting.effect, setting.key, setting.value);
+    if (e.pore_pressure) text += fmt::format("|excess for {}", e.pore_pressure->dissipation_time);
+    if (e.erodible_bed) text += fmt::format("|layer from {}", e.erodible_bed->from);
+    text += fmt::format("|{}|{} {}", c.shaking_record, c.pseudo_static.x(), c.pseudo_static.y());
+    for (const Gauge& gauge : c.gauges) text += fmt::format("|gauge {} {}", gauge.name, gauge.x);
     return text;
 }
 
@@ -483,6 +488,85 @@ void expect_sound_case(const fs::path& file) {
     EXPECT_EQ(scene.name.substr(0, scene.name.find('-')), folder.substr(0, folder.find('-')));
     EXPECT_TRUE(scene.assumed.empty());
     EXPECT_GT(scene.source.area, 0);
+}
+
+// --- effects
+
+constexpr const char* sound_text =
+    "[section]\nfile = \"section.csv\"\n[source]\ntype = \"B\"\nheight_m = 0.2\n"
+    "[material]\nfriction_angle_deg = 38\n";
+
+TEST_F(SceneTest, EffectsAreThereOnlyWhereTheCaseNamesThem) {
+    EXPECT_TRUE(effect_settings(make_scene(sound_case()).effects, Profile{}).empty());
+    const Scene scene = make_scene(sound_case(
+        "[effects.cohesion]\ncohesion_kpa = 0.5\n[effects.base_friction]\nranges = [[0.5, 1, 10]]\n"
+        "[effects.barrier]\nchainage_m = 1\nheight_m = 0.1\n"
+        "[[gauge]]\nchainage_m = 0.5\n[[gauge]]\nname = \"house\"\nchainage_m = 0.75\n"));
+    EXPECT_EQ(scene.effects.cohesion->strength, 500);
+    EXPECT_NEAR(scene.effects.base_friction->ranges.at(0).from, 0.05, 1e-12);  // the toe is at 0.45
+    EXPECT_NEAR(scene.effects.barrier->x, 0.55, 1e-12);
+    EXPECT_NEAR(scene.effects.barrier->thickness, 0.05, 1e-12);
+    EXPECT_FALSE(scene.effects.rate || scene.effects.pore_pressure || scene.effects.release);
+    ASSERT_EQ(scene.gauges.size(), 2U);
+    EXPECT_EQ(scene.gauges[0].name, "gauge-1");
+    EXPECT_EQ(scene.gauges[1].name, "house");
+    EXPECT_NEAR(scene.gauges[1].x, 0.3, 1e-12);
+    EXPECT_EQ(scene.run.friction_iterations, 20);
+    EXPECT_EQ(scene.assumed.back(), "run.friction_iterations = 20, for a cohesive soil");
+}
+
+TEST_F(SceneTest, LaterMassesLeaveTheHillOneAfterTheOther) {
+    const Scene scene = make_scene(sound_case(
+        "[[effects.release.mass]]\ntime_s = 1\npoints = [[0.2, 0.4], [0.3, 0.4], [0.3, 0.5], [0.2, 0.5]]\n"));
+    ASSERT_EQ(scene.effects.release->masses.size(), 1U);
+    EXPECT_NEAR(scene.effects.release->masses[0].area, 0.01, 1e-12);
+}
+
+TEST_F(SceneTest, AShakingRecordIsRead) {
+    write("quake.csv", "time_s,horizontal_m_s2\n0,0\n0.5,2 # peak\n1,0\n");
+    const Scene scene = make_scene(sound_case("[effects.shaking]\nrecord = \"quake.csv\"\n"));
+    EXPECT_EQ(scene.effects.shaking->time, (std::vector<double>{0, 0.5, 1}));
+    EXPECT_EQ(scene.effects.shaking->horizontal, (std::vector<double>{0, 2, 0}));
+    const Scene constant = make_scene(sound_case("[effects.shaking]\nhorizontal_coefficient = 0.1\n"));
+    EXPECT_NEAR(constant.effects.shaking->horizontal.at(0), -0.981, 1e-12);
+}
+
+TEST_F(SceneTest, EffectsThatContradictThemselvesAreRefused) {
+    const auto expect = [&](const std::string& more, const std::vector<std::string>& parts) {
+        SCOPED_TRACE(more);
+        expect_complaint(complaint(sound_text + more), parts);
+    };
+    write("quake.csv", "time_s,horizontal_m_s2\n0,0\n0.5,2\n1,0\n");
+    write("late.csv", "time_s,horizontal_m_s2\n0.5,0\n1,0\n");
+    expect("[effects.cohesion]\n", {"bad.toml, line 8", "effects.cohesion", "is named without a key"});
+    expect("[effects.cohesion]\ntension_cut_off_kpa = 1\n", {"needs effects.cohesion.cohesion_kpa"});
+    expect("[effects.cohesion]\ncohesion_kpa = 1\ntension_cut_off_kpa = 2\n",
+           {"more than this soil can bear", "1.28 kPa"});
+    expect("[effects.rate]\nfriction_increase = 0.2\n", {"needs effects.rate.grain_diameter_m"});
+    expect("[effects.pore_pressure]\ndissipation_time_s = 2\n",
+           {"needs effects.pore_pressure.base_excess_ratio"});
+    expect("[effects.pore_pressure]\nratio = 0.1\nratio_points = [[0, 0.1]]\n", {"excludes"});
+    expect("[effects.pore_pressure]\nratio_points = [[0, 0.1, 3]]\n",
+           {"row 1 that is not complete", "[chainage m, r_u]"});
+    expect("[effects.pore_pressure]\nratio_points = [[0, 1.1]]\n", {"r_u = 1.1", "0 <= r_u <= 1"});
+    expect("[effects.barrier]\nchainage_m = 1\n", {"needs effects.barrier.height_m"});
+    expect("[effects.barrier]\nchainage_m = 1\nheight_m = inf\n", {"is not a finite number"});
+    expect("[effects.barrier]\nchainage_m = 9\nheight_m = 0.1\n", {"is not on the section at chainage 9 m"});
+    expect("[effects.barrier]\nchainage_m = 0.4\nheight_m = 0.1\n", {"into the source or uphill of it"});
+    expect("[effects.shaking]\nrecord = \"quake.csv\"\n[run]\ntime_limit_s = 3\n",
+           {"ends at 1 s, before run.time_limit_s = 3"});
+    expect("[effects.shaking]\nrecord = \"late.csv\"\n", {"late.csv, line 2", "is not 0 in the first row"});
+    expect("[effects.shaking]\nrecord = \"none.csv\"\n", {"none.csv", "does not exist"});
+    expect("[effects.side_walls]\nwidth_m = 3\n", {"needs effects.side_walls.friction_angle_deg"});
+    expect("[effects.base_friction]\nranges = [[1, 0.5, 10]]\n", {"from 1 to 0.5 m"});
+    expect("[effects.base_friction]\nranges = [[0.5, 1, 10], [0.8, 1.2, 12]]\n", {"overlap"});
+    expect("[effects.erodible_bed]\ndepth_m = 0.1\n", {"needs effects.erodible_bed.from_chainage_m"});
+    expect("[[effects.release.mass]]\ntime_s = 2\n", {"needs effects.release.mass.points"});
+    expect("[[effects.rate]]\ngrain_diameter_m = 2\n", {"stands several times"});
+    expect("[[gauge]]\nname = \"a\"\n", {"gauge.name", "needs gauge.chainage_m"});
+    expect("[[gauge]]\nchainage_m = 1\n[[gauge]]\nname = \"b\"\n", {"is missing for [[gauge]] 2"});
+    expect("[[gauge]]\nchainage_m = 99\n", {"is not on the section"});
+    expect("[effects.glue]\nx = 1\n", {"effects.glue"});
 }
 
 /// A folder of the validation that makes no run has no case file; `numerics` is the only one.

@@ -369,9 +369,10 @@ std::set<std::string> format_of(SQLite::Database& database) {
 
 /// What a program of version 1 would have written: the format as it is now without what version 2 added.
 void take_back_to_version_one(SQLite::Database& database) {
-    database.exec("DROP TABLE snapshot; DROP TABLE stage; DROP TABLE effect_setting; DROP TABLE run_effect;"
-                  " DROP TABLE advice; DROP TABLE gauge_series; DROP TABLE gauge; DROP TABLE barrier_series;"
-                  " DROP TABLE barrier; ALTER TABLE measure DROP COLUMN eroded_area_m2; PRAGMA user_version = 1");
+    database.exec(
+        "DROP TABLE snapshot; DROP TABLE stage; DROP TABLE effect_setting; DROP TABLE run_effect;"
+        " DROP TABLE advice; DROP TABLE gauge_series; DROP TABLE gauge; DROP TABLE barrier_series;"
+        " DROP TABLE barrier; ALTER TABLE measure DROP COLUMN eroded_area_m2; PRAGMA user_version = 1");
     for (const char* column : {"lattice_seed", "snapshot_times_s", "base_friction_angle_deg",
                                "release_layers", "release_layer_width_m", "release_layer_height_m"})
         database.exec(std::string("ALTER TABLE scenario DROP COLUMN ") + column);

@@ -32,12 +32,9 @@ std::vector<std::string> split(std::string_view line) {
 
 std::ifstream opened(const std::string& path, const std::string& valid) {
     std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored))
-        throw InputError({path, 0, "", ""}, "does not exist",
-                         valid);
+    if (!std::filesystem::exists(path, ignored)) throw InputError({path, 0, "", ""}, "does not exist", valid);
     if (std::filesystem::is_directory(path, ignored))
-        throw InputError({path, 0, "", ""}, "is a directory",
-                         valid);
+        throw InputError({path, 0, "", ""}, "is a directory", valid);
     std::ifstream file(path, std::ios::binary);
     if (!file) throw InputError({path, 0, "", ""}, "cannot be opened", "check that you may read it");
     return file;

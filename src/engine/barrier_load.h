@@ -21,7 +21,8 @@ struct BarrierForce {
 class BarrierLoad {
   public:
     /// `outline`: of the barrier, its points in the chain of the bed; see barrier_outline.
-    BarrierLoad(const Polyline& outline, const BedLine& bed, const Wall& wall, const Discretisation& discretisation);
+    BarrierLoad(const Polyline& outline, const BedLine& bed, const Wall& wall,
+                const Discretisation& discretisation);
 
     /// For a bed that has changed elsewhere.
     void find_segments(const BedLine& bed, const Wall& wall);
@@ -37,9 +38,9 @@ class BarrierLoad {
 
     Polyline outline_;
     double volume_;
-    int first_ = 0;               ///< segment of the bed that is the face
+    int first_ = 0;                 ///< segment of the bed that is the face
     std::vector<char> on_barrier_;  ///< per boundary particle
-    Vec2 guard_{0, 0};            ///< impulse since the last measure
+    Vec2 guard_{0, 0};              ///< impulse since the last measure
     BarrierForce now_;
 };
 

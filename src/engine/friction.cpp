@@ -43,9 +43,8 @@ void Friction::find_strain_rate(const Neighbours& n) {
         const VelocityGradient g = plain.corrected(n, i);
         strain_rate_[i] = std::hypot(g.exx(), g.exy());
     };
-    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        for_each_velocity_gradient(n.blocks[b], n, velocity_.data(), note);
-    });
+    for_each_block(static_cast<int>(n.blocks.size()), threads_,
+                   [&](int b) { for_each_velocity_gradient(n.blocks[b], n, velocity_.data(), note); });
     for (int a = 0; a < n.active_count(); ++a)
         note(n.first_boundary + a, boundary_velocity_gradient(n, a, velocity_.data()));
 }
@@ -167,7 +166,8 @@ void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const Fricti
     static const std::vector<double> dry;
     load(n, soil, wall);
     if (yield_.depends_on_rate()) find_strain_rate(n);
-    yield_.find(n, pressure_, step.pore_pressure != nullptr ? *step.pore_pressure : dry, strain_rate_, strength_);
+    yield_.find(n, pressure_, step.pore_pressure != nullptr ? *step.pore_pressure : dry, strain_rate_,
+                strength_);
     const double dt = step.dt;
     if (scheme_ == FrictionScheme::explicit_) {
         yield_from_strain_rate(n);

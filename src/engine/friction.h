@@ -46,8 +46,8 @@ class Friction {
     void trial_velocity(const Neighbours& n, double dt);
     void project(const Neighbours& n, double dt, double momentum);
     void yield_from_strain_rate(const Neighbours& n);
-    void final_velocity(const Neighbours& n, const Soil& soil, const FrictionStep& step, std::vector<double>& vx,
-                        std::vector<double>& vy);
+    void final_velocity(const Neighbours& n, const Soil& soil, const FrictionStep& step,
+                        std::vector<double>& vx, std::vector<double>& vy);
 
     Discretisation discretisation_;
     YieldStrength yield_;

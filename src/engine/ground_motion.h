@@ -5,8 +5,8 @@
 
 namespace runout {
 
-/// How the ground is accelerated, and what that does to soil seen from the ground. Linear between the instants
-/// of a record; still after its end.
+/// How the ground is accelerated, and what that does to soil seen from the ground. Linear between the
+/// instants of a record; still after its end.
 class GroundMotion {
   public:
     explicit GroundMotion(Shaking shaking) : shaking_(std::move(shaking)) {}

@@ -24,7 +24,8 @@ bool overlaps(const std::vector<Vec2>& points, const Soil& soil, const CellGrid&
 
 }  // namespace
 
-std::vector<Vec2> place_mass(const LaterMass& mass, const Soil& soil, double spacing, double smoothing_ratio) {
+std::vector<Vec2> place_mass(const LaterMass& mass, const Soil& soil, double spacing,
+                             double smoothing_ratio) {
     Source shape;
     shape.outline = mass.outline;
     shape.bed = mass.bed;

@@ -140,6 +140,7 @@ void Simulation::step() {
     correct(dt);
     if (effects_.side_walls) brake(dt);
     move(dt);
+    if (effects_.cohesion && effects_.cohesion->strength > 0.0) even_out();
     guard_wall();
     if (barrier_) measure_barrier(dt);
     if (effects_.erodible_bed) note_moved_layer();
@@ -265,7 +266,8 @@ void Simulation::guard_wall() {
         const double inward = std::max(0.0, -v.dot(near.normal));
         const Vec2 slip = v - v.dot(near.normal) * near.normal;
         const double speed = slip.norm();
-        const double kept = speed > 0.0 ? std::max(0.0, 1.0 - friction_.yield().base_ratio(boundary) * inward / speed) : 0.0;
+        const double kept =
+            speed > 0.0 ? std::max(0.0, 1.0 - friction_.yield().base_ratio(boundary) * inward / speed) : 0.0;
         soil_.vx[i] = kept * slip.x() + std::max(0.0, v.dot(near.normal)) * near.normal.x();
         soil_.vy[i] = kept * slip.y() + std::max(0.0, v.dot(near.normal)) * near.normal.y();
         if (barrier_)

@@ -92,7 +92,8 @@ class Simulation {
     [[nodiscard]] const BarrierForce* barrier_force() const { return barrier_ ? &barrier_->now() : nullptr; }
     /// Effects that do work of their own in a step, with the seconds it took so far.
     [[nodiscard]] const std::vector<EffectCost>& effect_costs() const { return effect_costs_; }
-    /// Strain rate |e| per soil particle for the velocities as they are, 1/s. Not free: it is a sum over pairs.
+    /// Strain rate |e| per soil particle for the velocities as they are, 1/s. Not free: it is a sum over
+    /// pairs.
     [[nodiscard]] std::vector<double> strain_rate() const;
     /// Soil of an erodible layer that has moved, m2.
     [[nodiscard]] double eroded_area() const;
@@ -109,6 +110,7 @@ class Simulation {
     double& cost_of(const char* effect);
     [[nodiscard]] Vec2 body_acceleration() const;
     void brake(double dt);
+    void even_out();
     void measure_barrier(double dt);
     void note_moved_layer();
     void release_mass();
@@ -154,10 +156,10 @@ class Simulation {
     std::vector<double> pore_pressure_;  ///< per node, Pa
     std::optional<GroundMotion> ground_motion_;
     std::optional<BarrierLoad> barrier_;
-    int first_layer_id_ = 0;            ///< of the soil of an erodible layer, which is packed after the source
+    int first_layer_id_ = 0;  ///< of the soil of an erodible layer, which is packed after the source
     int end_layer_id_ = 0;
-    std::vector<char> layer_moved_;     ///< by id since first_layer_id_
-    std::vector<char> resting_layer_;   ///< per soil particle
+    std::vector<char> layer_moved_;    ///< by id since first_layer_id_
+    std::vector<char> resting_layer_;  ///< per soil particle
     std::vector<EffectCost> effect_costs_;
     PressureSolver pressure_;
     std::vector<double> predicted_vx_, predicted_vy_;

@@ -14,6 +14,8 @@
 namespace runout {
 namespace {
 
+constexpr double shifting = 0.1;        // of the way to even spacing in a step
+constexpr double most_shifting = 0.02;  // spacings a step
 constexpr double moved_spacings = 2.0;  // that soil of the bed must move to count as debris
 
 }  // namespace
@@ -65,6 +67,22 @@ void Simulation::brake(double dt) {
                                                      pore_water_ ? &pore_pressure_ : nullptr, dt, soil_);
 }
 
+/// Particles under tension draw together in clumps (the tensile instability of SPH), and the soil tears where
+/// it should hold. They are moved a little from where it is crowded to where it is not, in the inside of the
+/// body only (particle shifting, Lind et al. 2012).
+void Simulation::even_out() {
+    const double scale = shifting * discretisation_.volume();
+    const double most = most_shifting * discretisation_.spacing;
+    for (int i = 0; i < soil_.count; ++i) {
+        if (neighbours_.density[i] < surface_density) continue;
+        Vec2 step{-scale * neighbours_.surface_x[i], -scale * neighbours_.surface_y[i]};
+        const double size = step.norm();
+        if (size > most) step *= most / size;
+        soil_.x[i] += step.x();
+        soil_.y[i] += step.y();
+    }
+}
+
 void Simulation::measure_barrier(double dt) {
     const Stopwatch watch(cost_of("barrier"));
     barrier_->measure(neighbours_, soil_, wall_, dt);
@@ -77,13 +95,15 @@ void Simulation::note_moved_layer() {
     for (int i = 0; i < soil_.count; ++i) {
         if (soil_.id[i] < first_layer_id_ || soil_.id[i] >= end_layer_id_) continue;
         char& moved = layer_moved_[static_cast<std::size_t>(soil_.id[i] - first_layer_id_)];
-        if (moved == 0 && (Vec2{soil_.x[i], soil_.y[i]} - start_[soil_.id[i]]).squaredNorm() > far2) moved = 1;
+        if (moved == 0 && (Vec2{soil_.x[i], soil_.y[i]} - start_[soil_.id[i]]).squaredNorm() > far2)
+            moved = 1;
         resting_layer_[i] = moved == 0 ? 1 : 0;
     }
 }
 
 double Simulation::eroded_area() const {
-    return discretisation_.volume() * static_cast<double>(std::count(layer_moved_.begin(), layer_moved_.end(), 1));
+    return discretisation_.volume() *
+           static_cast<double>(std::count(layer_moved_.begin(), layer_moved_.end(), 1));
 }
 
 std::vector<double> Simulation::strain_rate() const {
@@ -122,11 +142,9 @@ void Simulation::release_mass() {
     bed_ = BedLine(shape_bed(mass.bed, effects_));
     wall_ = make_wall(bed_, discretisation_);
     pressure_.forget_wall();
-    friction_.set_yield(
-        YieldStrength(material_, effects_, base_strength_ratios(material_, effects_, wall_)));
+    friction_.set_yield(YieldStrength(material_, effects_, base_strength_ratios(material_, effects_, wall_)));
     if (barrier_) barrier_->find_segments(bed_, wall_);
-    const std::vector<Vec2> points =
-        place_mass(mass, soil_, discretisation_.spacing, run_.smoothing_ratio);
+    const std::vector<Vec2> points = place_mass(mass, soil_, discretisation_.spacing, run_.smoothing_ratio);
     for (const Vec2& p : points) height_ = std::max(height_, p.y() - floor_);
     add_soil(points);
 }

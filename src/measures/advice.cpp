@@ -10,18 +10,16 @@
 namespace runout {
 namespace {
 
-constexpr double front_share = 0.2;     // of the mass that counts as the front
-constexpr double quasi_static = 0.1;    // inertial number above which friction rises by more than a tenth
-constexpr double worth_saying = 0.2;    // share of the front
+constexpr double front_share = 0.2;       // of the mass that counts as the front
+constexpr double quasi_static = 0.1;      // inertial number above which friction rises by more than a tenth
+constexpr double worth_saying = 0.2;      // share of the front
 constexpr double grain_diameter = 0.002;  // m, coarse sand to fine gravel; the number is proportional to it
 constexpr double grain_density = 2650;    // kg/m3
 
 }  // namespace
 
 Advisor::Advisor(const Scene& scene, double interval)
-    : rate_(scene.effects.rate.has_value()),
-      density_(scene.material.density),
-      interval_(interval) {}
+    : rate_(scene.effects.rate.has_value()), density_(scene.material.density), interval_(interval) {}
 
 void Advisor::look(const Simulation& simulation) {
     if (!simulation.released() || simulation.time() < due_) return;
@@ -42,7 +40,8 @@ void Advisor::look_at_rate(const Simulation& simulation) {
         numbers.push_back(2.0 * rate[i] * grain_diameter * std::sqrt(grain_density / state.pressure[i]));
     }
     if (numbers.size() < 10) return;
-    const auto fast = std::count_if(numbers.begin(), numbers.end(), [](double n) { return n > quasi_static; });
+    const auto fast =
+        std::count_if(numbers.begin(), numbers.end(), [](double n) { return n > quasi_static; });
     const double share = static_cast<double>(fast) / static_cast<double>(numbers.size());
     if (share <= fast_share_) return;
     const auto high = numbers.begin() + static_cast<long>(0.9 * static_cast<double>(numbers.size()));
@@ -55,11 +54,11 @@ void Advisor::look_at_rate(const Simulation& simulation) {
 std::vector<std::string> Advisor::sentences() const {
     std::vector<std::string> said;
     if (fast_share_ > worth_saying)
-        said.push_back(
-            fmt::format("The inertial number exceeded {} over {:.0f} % of the front at t = {:.3g} s (a tenth of it "
-                        "was above {:.2g}; grains of {:.0f} mm, proportional to their size): "
-                        "[effects.rate] may matter.",
-                        quasi_static, 100 * fast_share_, fast_time_, fast_number_, 1e3 * grain_diameter));
+        said.push_back(fmt::format(
+            "The inertial number exceeded {} over {:.0f} % of the front at t = {:.3g} s (a tenth of it "
+            "was above {:.2g}; grains of {:.0f} mm, proportional to their size): "
+            "[effects.rate] may matter.",
+            quasi_static, 100 * fast_share_, fast_time_, fast_number_, 1e3 * grain_diameter));
     return said;
 }
 

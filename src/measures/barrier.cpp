@@ -9,7 +9,7 @@
 namespace runout {
 namespace {
 
-constexpr double near_spacings = 4.0;   // soil that climbs the face is no further from it
+constexpr double near_spacings = 4.0;  // soil that climbs the face is no further from it
 constexpr double body_density = 0.6;
 
 }  // namespace
@@ -42,7 +42,8 @@ void BarrierRecorder::read_approach(const StateView& state) {
     const double thickness = count * state.discretisation->volume() / width;
     if (count == 0) return;
     speed /= count;
-    if (std::isnan(record_.arrival_time_s) && thickness >= front_thickness_) record_.arrival_time_s = state.time;
+    if (std::isnan(record_.arrival_time_s) && thickness >= front_thickness_)
+        record_.arrival_time_s = state.time;
     const double load = barrier_.load_coefficient * density_ * speed * speed * thickness;
     if (load <= record_.design_force_n_m) return;
     record_.design_force_n_m = load;

@@ -41,7 +41,8 @@ double cost_of_step(const Scene& scene) {
 std::vector<double> costs_of(const std::vector<Scene>& scenes) {
     std::vector<double> costs(scenes.size(), std::numeric_limits<double>::infinity());
     for (int k = 0; k < repetitions; ++k)
-        for (std::size_t i = 0; i < scenes.size(); ++i) costs[i] = std::min(costs[i], cost_of_step(scenes[i]));
+        for (std::size_t i = 0; i < scenes.size(); ++i)
+            costs[i] = std::min(costs[i], cost_of_step(scenes[i]));
     return costs;
 }
 
@@ -50,10 +51,10 @@ std::vector<double> costs_of(const std::vector<Scene>& scenes) {
 std::vector<MeasuredEffect> measure_effects(const Scene& scene) {
     Scene coarse = scene;
     coarse.run.particle_spacing = 0;
-    coarse.run.resolution = std::min(scene.run.particle_spacing > 0
-                                         ? std::sqrt(scene.source.area) / scene.run.particle_spacing
-                                         : scene.run.resolution,
-                                     low_resolution);
+    coarse.run.resolution =
+        std::min(scene.run.particle_spacing > 0 ? std::sqrt(scene.source.area) / scene.run.particle_spacing
+                                                : scene.run.resolution,
+                 low_resolution);
     coarse.run.threads = 1;
     std::vector<Scene> scenes = {coarse};
     std::vector<MeasuredEffect> effects;

@@ -12,7 +12,8 @@ struct MeasuredEffect {
     std::string name;
     bool on = false;
     std::string why;
-    double share = 0;  ///< CPU time of a step with it over that without it, less 1; NaN: off, or cannot be taken away
+    double share =
+        0;  ///< CPU time of a step with it over that without it, less 1; NaN: off, or cannot be taken away
 };
 
 /// Runs the first steps of the scene at a low resolution with all its effects and without each of them, and

@@ -66,7 +66,8 @@ void GaugeRecorder::sample(const StateView& state, bool always) {
             record.greatest_kinetic_head_m = std::max(record.greatest_kinetic_head_m, row.kinetic_head_m);
         }
         record.passed_area_m2 = row.passed_area_m2;
-        if (store && (record.rows.empty() || record.rows.back().time_s < row.time_s)) record.rows.push_back(row);
+        if (store && (record.rows.empty() || record.rows.back().time_s < row.time_s))
+            record.rows.push_back(row);
     }
 }
 

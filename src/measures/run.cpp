@@ -90,8 +90,8 @@ Measures measures_at_rest(const Scene& scene, const Simulation& simulation, cons
     m.toe_thickness_m = thickness_at_toe(profile);
     m.peak_front_speed_m_s = stood ? 0.0 : peak_speed;
     m.time_to_rest_s = simulation.motion_ended();
-    m.eroded_area_m2 = scene.effects.erodible_bed ? simulation.eroded_area()
-                                                  : std::numeric_limits<double>::quiet_NaN();
+    m.eroded_area_m2 =
+        scene.effects.erodible_bed ? simulation.eroded_area() : std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < body.size(); ++i)
         if (body[i] == 0 && state.is_debris(i)) m.stray_particles += 1;
     return m;

@@ -42,7 +42,8 @@ Columns read_header(const CsvRow& header, const std::string& path) {
 }  // namespace
 
 Profile read_profile_csv(const std::string& path, const ProfileOptions& options) {
-    const std::vector<CsvRow> rows = read_csv_rows(path, "give the path of a CSV file with chainage_m,elevation_m");
+    const std::vector<CsvRow> rows =
+        read_csv_rows(path, "give the path of a CSV file with chainage_m,elevation_m");
     if (rows.empty())
         throw InputError({path, 0, "", ""}, "is empty",
                          "give a header chainage_m,elevation_m and at least two points");
@@ -61,9 +62,11 @@ Profile read_profile_csv(const std::string& path, const ProfileOptions& options)
                 fmt::format("has {} field{}", row.fields.size(), row.fields.size() == 1 ? "" : "s"),
                 "give one chainage and one elevation, with a comma between and a point as decimal mark");
         const auto metres = [&](std::size_t column, std::string_view name) {
-            return csv_number({path, row.line, std::string(name), row.fields[column]}, "give metres, such as 12.5");
+            return csv_number({path, row.line, std::string(name), row.fields[column]},
+                              "give metres, such as 12.5");
         };
-        points.emplace_back(metres(columns.chainage, chainage_name), metres(columns.elevation, elevation_name));
+        points.emplace_back(metres(columns.chainage, chainage_name),
+                            metres(columns.elevation, elevation_name));
         lines.push_back(row.line);
     }
     if (points.size() == 1)

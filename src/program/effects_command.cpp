@@ -40,10 +40,12 @@ std::string text_of(const Scene& scene, const std::vector<MeasuredEffect>& effec
     text += fmt::format("  {:<14} {:<4} {:<16} {}\n", "effect", "", "costs", "why");
     for (const MeasuredEffect& effect : effects) {
         const std::string given = settings_of(settings, effect.name);
-        text += fmt::format("  {:<14} {:<4} {:<16} {}{}\n", effect.name, effect.on ? "on" : "off", cost_text(effect),
-                            effect.why, given.empty() ? "" : " (" + given + ")");
+        text += fmt::format("  {:<14} {:<4} {:<16} {}{}\n", effect.name, effect.on ? "on" : "off",
+                            cost_text(effect), effect.why, given.empty() ? "" : " (" + given + ")");
     }
-    text += "Costs are CPU time of the first steps at low resolution, with all effects of the case and without the one.\n";
+    text +=
+        "Costs are CPU time of the first steps at low resolution, with all effects of the case and without "
+        "the one.\n";
     return text;
 }
 

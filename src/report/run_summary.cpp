@@ -54,21 +54,25 @@ std::string gauge_line(const GaugeRecord& gauge) {
     if (std::isnan(gauge.arrival_time_s))
         return fmt::format("Gauge {} at chainage {:.5g} m: nothing arrives.\n", gauge.name, gauge.chainage_m);
     return fmt::format(
-        "Gauge {} at chainage {:.5g} m: arrival after {:.3g} s, up to {:.3g} m thick, {:.3g} m/s, kinetic head "
+        "Gauge {} at chainage {:.5g} m: arrival after {:.3g} s, up to {:.3g} m thick, {:.3g} m/s, kinetic "
+        "head "
         "{:.3g} m; {:.4g} m2 pass.\n",
-        gauge.name, gauge.chainage_m, gauge.arrival_time_s, gauge.greatest_thickness_m, gauge.greatest_speed_m_s,
-        gauge.greatest_kinetic_head_m, gauge.passed_area_m2);
+        gauge.name, gauge.chainage_m, gauge.arrival_time_s, gauge.greatest_thickness_m,
+        gauge.greatest_speed_m_s, gauge.greatest_kinetic_head_m, gauge.passed_area_m2);
 }
 
 std::string barrier_lines(const BarrierRecord& barrier) {
     if (std::isnan(barrier.arrival_time_s)) return "Barrier: nothing arrives.\n";
     return fmt::format(
-        "Barrier: force up to {:.3g} kN/m at {:.3g} s (alpha rho v^2 h of the approach, {:.3g} m/s and {:.3g} m: "
-        "{:.3g} kN/m),\n  moment up to {:.3g} kNm/m, impulse {:.3g} kNs/m, {:.3g} kN/m at the end; run-up {:.3g} m, "
+        "Barrier: force up to {:.3g} kN/m at {:.3g} s (alpha rho v^2 h of the approach, {:.3g} m/s and "
+        "{:.3g} m: "
+        "{:.3g} kN/m),\n  moment up to {:.3g} kNm/m, impulse {:.3g} kNs/m, {:.3g} kN/m at the end; run-up "
+        "{:.3g} m, "
         "{:.3g} m2 beyond it.\n",
         1e-3 * barrier.greatest_force_n_m, barrier.greatest_force_time_s, barrier.approach_speed_m_s,
         barrier.approach_thickness_m, 1e-3 * barrier.design_force_n_m, 1e-3 * barrier.greatest_moment_n,
-        1e-3 * barrier.impulse_n_s_m, 1e-3 * barrier.last_force_n_m, barrier.run_up_m, barrier.overtopped_area_m2);
+        1e-3 * barrier.impulse_n_s_m, 1e-3 * barrier.last_force_n_m, barrier.run_up_m,
+        barrier.overtopped_area_m2);
 }
 
 /// "Effects on: cohesion, barrier (0.2 s). Off: rate, ..."

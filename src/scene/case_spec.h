@@ -30,7 +30,7 @@ struct CaseSpec {
     SectionSpec section;
     SourceSpec source;
     Material material{.friction_angle = std::numeric_limits<double>::quiet_NaN()};  ///< NaN: not given
-    Effects effects;            ///< positions are chainages still
+    Effects effects;             ///< positions are chainages still
     std::string shaking_record;  ///< file
     Vec2 pseudo_static{0, 0};    ///< force on the soil over its weight, towards the run-out and upwards
     std::vector<Gauge> gauges;   ///< x: chainage still, NaN: not given

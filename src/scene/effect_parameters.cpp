@@ -27,12 +27,14 @@ void set_friction_ranges(CaseSpec& spec, const NumberRows& table) {
 
 std::vector<Parameter> base_friction_parameters() {
     return {
-        number("effects.base_friction.angle_deg", "deg", from_to_below(0, 80), "off: a rough bed",
-               "Friction angle between soil and bed, where its tangent is below the sine of the soil's own.",
-               [](CaseSpec& spec, double angle) { named(spec.effects.base_friction).angle = radians(angle); }),
-        rows("effects.base_friction.ranges", {"from chainage m", "to chainage m", "angle deg"}, "none",
-             "Parts of the bed with a friction angle of their own; elsewhere angle_deg holds, or a rough bed.",
-             set_friction_ranges),
+        number(
+            "effects.base_friction.angle_deg", "deg", from_to_below(0, 80), "off: a rough bed",
+            "Friction angle between soil and bed, where its tangent is below the sine of the soil's own.",
+            [](CaseSpec& spec, double angle) { named(spec.effects.base_friction).angle = radians(angle); }),
+        rows(
+            "effects.base_friction.ranges", {"from chainage m", "to chainage m", "angle deg"}, "none",
+            "Parts of the bed with a friction angle of their own; elsewhere angle_deg holds, or a rough bed.",
+            set_friction_ranges),
     };
 }
 
@@ -42,7 +44,8 @@ std::vector<Parameter> strength_parameters() {
                "Cohesion c of the soil: it yields at c cos(phi) + p sin(phi).",
                [](CaseSpec& spec, double kpa) { named(spec.effects.cohesion).strength = 1e3 * kpa; }),
         number("effects.cohesion.tension_cut_off_kpa", "kPa", zero_or_more,
-               "c cos(phi)/(1 + sin(phi)), uniaxial tension at yield", "Greatest mean tension that the soil bears.",
+               "c cos(phi)/(1 + sin(phi)), uniaxial tension at yield",
+               "Greatest mean tension that the soil bears.",
                [](CaseSpec& spec, double kpa) { named(spec.effects.cohesion).tension = 1e3 * kpa; }),
         number("effects.rate.grain_diameter_m", "m", positive, "off: friction does not depend on the rate",
                "Grain diameter d of the inertial number I = 2|e| d sqrt(rho_s/p): friction grows as mu(I).",
@@ -52,7 +55,8 @@ std::vector<Parameter> strength_parameters() {
         number("effects.rate.friction_increase", "", zero_or_more, "0.26",
                "mu_2 - mu_s: friction coefficient at high rates less that at rest, sin(phi).",
                [](CaseSpec& spec, double increase) { named(spec.effects.rate).increase = increase; }),
-        number("effects.rate.inertial_number", "", positive, "0.279", "I_0 at which half of the increase is there.",
+        number("effects.rate.inertial_number", "", positive, "0.279",
+               "I_0 at which half of the increase is there.",
                [](CaseSpec& spec, double number) { named(spec.effects.rate).inertial_number = number; }),
     };
 }
@@ -87,11 +91,13 @@ std::vector<Parameter> barrier_parameters() {
         number("effects.barrier.chainage_m", "m", any_number, "off: no barrier",
                "Foot of the face of a rigid barrier that the debris meets.",
                [](CaseSpec& spec, double metres) { named(spec.effects.barrier).x = metres; }),
-        number("effects.barrier.height_m", "m", positive, "required with chainage_m", "Height of the barrier.",
+        number("effects.barrier.height_m", "m", positive, "required with chainage_m",
+               "Height of the barrier.",
                [](CaseSpec& spec, double metres) { named(spec.effects.barrier).height = metres; }),
-        number("effects.barrier.inclination_deg", "deg", between(20, 90), "90",
-               "Inclination of its face against the horizontal.",
-               [](CaseSpec& spec, double angle) { named(spec.effects.barrier).inclination = radians(angle); }),
+        number(
+            "effects.barrier.inclination_deg", "deg", between(20, 90), "90",
+            "Inclination of its face against the horizontal.",
+            [](CaseSpec& spec, double angle) { named(spec.effects.barrier).inclination = radians(angle); }),
         number("effects.barrier.thickness_m", "m", positive, "half the height", "Thickness at its top.",
                [](CaseSpec& spec, double metres) { named(spec.effects.barrier).thickness = metres; }),
         number("effects.barrier.load_coefficient", "", positive, "2.5",
@@ -102,13 +108,14 @@ std::vector<Parameter> barrier_parameters() {
 
 std::vector<Parameter> shaking_parameters() {
     return {
-        word("effects.shaking.record", {}, "off: the ground is still",
-             "CSV of the ground's acceleration: time_s, horizontal_m_s2 (towards the run-out) and, if wanted, "
-             "vertical_m_s2; relative to the case file.",
-             [](CaseSpec& spec, const std::string& path) {
-                 named(spec.effects.shaking);
-                 spec.shaking_record = path;
-             }),
+        word(
+            "effects.shaking.record", {}, "off: the ground is still",
+            "CSV of the ground's acceleration: time_s, horizontal_m_s2 (towards the run-out) and, if wanted, "
+            "vertical_m_s2; relative to the case file.",
+            [](CaseSpec& spec, const std::string& path) {
+                named(spec.effects.shaking);
+                spec.shaking_record = path;
+            }),
         number("effects.shaking.horizontal_coefficient", "g", between(-2, 2), "0",
                "Pseudo-static: constant force on the soil towards the run-out over its weight.",
                [](CaseSpec& spec, double k) {
@@ -137,10 +144,11 @@ std::vector<Parameter> channel_parameters() {
 
 std::vector<Parameter> release_parameters() {
     return {
-        integer("effects.release.layers", between(1, 10000), "off: all at once",
-                "Pouring: number of layers, each let go above the uphill end of the soil when that has come to "
-                "rest.",
-                [](CaseSpec& spec, int count) { named(spec.effects.release).layers = count; }),
+        integer(
+            "effects.release.layers", between(1, 10000), "off: all at once",
+            "Pouring: number of layers, each let go above the uphill end of the soil when that has come to "
+            "rest.",
+            [](CaseSpec& spec, int count) { named(spec.effects.release).layers = count; }),
         number("effects.release.layer_width_m", "m", positive, "required with layers", "Width of a layer.",
                [](CaseSpec& spec, double metres) { named(spec.effects.release).layer_width = metres; }),
         number("effects.release.layer_height_m", "m", positive, "required with layers", "Height of a layer.",
@@ -151,7 +159,8 @@ std::vector<Parameter> release_parameters() {
                    latest(named(spec.effects.release).masses).time = seconds;
                }),
         points("effects.release.mass.points", "required for each mass",
-               "Corners of that mass: [[chainage, elevation], ...]; what of it lies in the hill leaves the hill.",
+               "Corners of that mass: [[chainage, elevation], ...]; what of it lies in the hill leaves the "
+               "hill.",
                [](CaseSpec& spec, const Polyline& corners) {
                    latest(named(spec.effects.release).masses).outline = corners;
                }),
@@ -198,9 +207,9 @@ void begin_entry(CaseSpec& spec, std::string_view section) {
 
 std::vector<Parameter> effect_parameters() {
     std::vector<Parameter> table;
-    for (const auto& part :
-         {base_friction_parameters(), strength_parameters(), water_parameters(), barrier_parameters(),
-          shaking_parameters(), channel_parameters(), release_parameters(), bed_parameters(), gauge_parameters()})
+    for (const auto& part : {base_friction_parameters(), strength_parameters(), water_parameters(),
+                             barrier_parameters(), shaking_parameters(), channel_parameters(),
+                             release_parameters(), bed_parameters(), gauge_parameters()})
         table.insert(table.end(), part.begin(), part.end());
     return table;
 }

@@ -28,7 +28,8 @@ class Settings {
     }
     void add(const char* key, const std::vector<Vec2>& points) {
         std::string text;
-        for (const Vec2& p : points) text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", p.x(), p.y());
+        for (const Vec2& p : points)
+            text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", p.x(), p.y());
         add(key, "[" + text + "]");
     }
     [[nodiscard]] double chainage(double x) const { return profile_.to_section({x, 0}).x(); }
@@ -171,13 +172,15 @@ std::vector<EffectState> effect_states(const Effects& effects, std::size_t gauge
               "friction does not depend on the rate"),
         state("pore_pressure", effects.pore_pressure.has_value(), "water takes pressure off the grains",
               "the soil is dry, or its friction angle stands for the water"),
-        state("barrier", effects.barrier.has_value(), "a rigid obstacle on the bed", "nothing stands in the way"),
+        state("barrier", effects.barrier.has_value(), "a rigid obstacle on the bed",
+              "nothing stands in the way"),
         state("shaking", effects.shaking.has_value(), "the ground is accelerated", "the ground is still"),
         state("side_walls", effects.side_walls.has_value(), "friction on the walls of a channel",
               "the slide is infinitely wide"),
         state("release", effects.release.has_value(), "several releases, one after the other",
               "the whole source is let go at once"),
-        state("erodible_bed", effects.erodible_bed.has_value(), "a layer of the bed may move", "the bed is rigid"),
+        state("erodible_bed", effects.erodible_bed.has_value(), "a layer of the bed may move",
+              "the bed is rigid"),
         state("gauges", gauges > 0, "passing debris is measured", "nothing is measured on the way"),
     };
 }

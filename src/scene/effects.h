@@ -36,34 +36,34 @@ struct Cohesion {
 
 /// Friction that grows with the inertial number, mu(I) of Jop et al. 2006: sin(phi) + increase/(1 + I0/I).
 struct RateDependence {
-    double increase = 0.26;         ///< mu_2 - mu_s
+    double increase = 0.26;          ///< mu_2 - mu_s
     double inertial_number = 0.279;  ///< I0
-    double grain_diameter = 0;      ///< d, m
-    double grain_density = 2650;    ///< kg/m3
+    double grain_diameter = 0;       ///< d, m
+    double grain_density = 2650;     ///< kg/m3
 };
 
 /// Water in the pores: u = ratio x rho g x vertical depth is taken off the pressure in the yield rule.
 struct PorePressure {
-    double ratio = 0;            ///< r_u of the whole mass
-    std::vector<Vec2> field{};   ///< (x, r_u), x rising: r_u by where the soil starts, in place of `ratio`
-    double base_excess = 0;      ///< more of it within the kernel's reach of the bed, at release
+    double ratio = 0;           ///< r_u of the whole mass
+    std::vector<Vec2> field{};  ///< (x, r_u), x rising: r_u by where the soil starts, in place of `ratio`
+    double base_excess = 0;     ///< more of it within the kernel's reach of the bed, at release
     /// Time in which the excess falls to 1/e, s.
     double dissipation_time = std::numeric_limits<double>::infinity();
 };
 
 /// Rigid obstacle on the bed.
 struct Barrier {
-    double x = 0;                                ///< foot of the face that the debris meets, m
-    double height = 0;                           ///< m
-    double inclination = 1.5707963267948966;     ///< of that face against the horizontal, rad
-    double thickness = 0;                        ///< at the top, m; 0: half the height
-    double load_coefficient = 2.5;               ///< alpha of the design load alpha rho v^2
+    double x = 0;                             ///< foot of the face that the debris meets, m
+    double height = 0;                        ///< m
+    double inclination = 1.5707963267948966;  ///< of that face against the horizontal, rad
+    double thickness = 0;                     ///< at the top, m; 0: half the height
+    double load_coefficient = 2.5;            ///< alpha of the design load alpha rho v^2
 };
 
 /// Acceleration of the ground, m/s2, in whose frame the run is computed. x towards the run-out.
 struct Shaking {
-    std::vector<double> time;               ///< s, rising; empty: constant
-    std::vector<double> horizontal, vertical;
+    std::vector<double> time{};  ///< s, rising; empty: constant
+    std::vector<double> horizontal{}, vertical{};
 };
 
 /// Friction of the walls of a channel.
@@ -75,8 +75,8 @@ struct SideWalls {
 /// A mass that is let go later than the source.
 struct LaterMass {
     double time = 0;  ///< s
-    Polygon outline;
-    Polyline bed;  ///< ground left when it has gone too
+    Polygon outline{};
+    Polyline bed{};  ///< ground left when it has gone too
     double area = 0;
 };
 
@@ -84,15 +84,15 @@ struct LaterMass {
 struct StagedRelease {
     // Pouring: each time the soil has come to rest, one more layer is let go just above its uphill end.
     int layers = 0;
-    double layer_width = 0;   ///< m
-    double layer_height = 0;  ///< m
+    double layer_width = 0;           ///< m
+    double layer_height = 0;          ///< m
     std::vector<LaterMass> masses{};  ///< by time
 };
 
 /// Soil of the same material that lies at rest in the bed until it yields.
 struct ErodibleBed {
-    double depth = 0;          ///< m, vertical
-    double from = 0, to = 0;   ///< x, m
+    double depth = 0;         ///< m, vertical
+    double from = 0, to = 0;  ///< x, m
 };
 
 /// What goes beyond the core: absent unless the case names it.

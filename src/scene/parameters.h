@@ -35,12 +35,12 @@ using Value = std::variant<double, std::string, Polyline, std::vector<double>, N
 struct Parameter {
     std::string_view key;  ///< "material.friction_angle_deg"
     ValueKind kind;
-    std::string_view unit;  ///< "" for pure numbers and words
-    Range range;            ///< of numbers, integers and each of a list of numbers
+    std::string_view unit;                  ///< "" for pure numbers and words
+    Range range;                            ///< of numbers, integers and each of a list of numbers
     std::vector<std::string_view> choices;  ///< valid words; of rows: what each number of a row is
-    std::string_view fallback;           ///< what holds when the key is absent, in words
-    std::string_view help;               ///< one sentence
-    std::vector<SourceType> applies_to;  ///< source types that know this key; empty: all
+    std::string_view fallback;              ///< what holds when the key is absent, in words
+    std::string_view help;                  ///< one sentence
+    std::vector<SourceType> applies_to;     ///< source types that know this key; empty: all
     std::function<void(CaseSpec&, const Value&)> set;
 };
 

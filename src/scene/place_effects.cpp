@@ -17,7 +17,8 @@ double place_x(const CaseSpec& spec, const Profile& profile, std::string_view ke
     const double first = profile.ground.front().x();
     const double last = profile.ground.back().x();
     if (x > first && x < last) return x;
-    const auto [low, high] = std::minmax(profile.to_section({first, 0}).x(), profile.to_section({last, 0}).x());
+    const auto [low, high] =
+        std::minmax(profile.to_section({first, 0}).x(), profile.to_section({last, 0}).x());
     throw InputError(spec.place(key), fmt::format("is not on the section at chainage {:.6g} m", chainage),
                      fmt::format("valid: {:.6g} < chainage < {:.6g} m", low, high));
 }
@@ -45,7 +46,8 @@ BaseFriction place_base_friction(const CaseSpec& spec, const Profile& profile) {
     std::ranges::sort(friction.ranges, {}, &FrictionRange::from);
     for (std::size_t i = 1; i < friction.ranges.size(); ++i)
         if (friction.ranges[i].from < friction.ranges[i - 1].to)
-            throw InputError(spec.place(key), "has ranges that overlap", "give each part of the bed one angle");
+            throw InputError(spec.place(key), "has ranges that overlap",
+                             "give each part of the bed one angle");
     return friction;
 }
 
@@ -53,8 +55,9 @@ Cohesion checked_cohesion(const CaseSpec& spec) {
     const Cohesion& cohesion = *spec.effects.cohesion;
     const double slope = std::tan(spec.material.friction_angle);
     if (slope > 0 && cohesion.tension > cohesion.strength / slope)
-        throw InputError(spec.place("effects.cohesion.tension_cut_off_kpa"), "is more than this soil can bear",
-                         fmt::format("valid: up to c / tan(phi) = {:.4g} kPa", 1e-3 * cohesion.strength / slope));
+        throw InputError(
+            spec.place("effects.cohesion.tension_cut_off_kpa"), "is more than this soil can bear",
+            fmt::format("valid: up to c / tan(phi) = {:.4g} kPa", 1e-3 * cohesion.strength / slope));
     return cohesion;
 }
 
@@ -80,14 +83,15 @@ Barrier place_barrier(const CaseSpec& spec, const Site& site) {
     double source_end = site.source.outline.front().x();
     for (const Vec2& corner : site.source.outline) source_end = std::max(source_end, corner.x());
     if (barrier.x < source_end)
-        throw InputError(spec.place("effects.barrier.chainage_m"), "puts the barrier into the source or uphill of it",
+        throw InputError(spec.place("effects.barrier.chainage_m"),
+                         "puts the barrier into the source or uphill of it",
                          fmt::format("the source ends at chainage {:.6g} m",
                                      site.profile.to_section({source_end, 0}).x()));
     if (barrier.thickness == 0) barrier.thickness = 0.5 * barrier.height;
     const double back = barrier.x + barrier.height / std::tan(barrier.inclination) + barrier.thickness;
     if (back >= site.profile.ground.back().x())
-        throw InputError(spec.place("effects.barrier.chainage_m"), "puts the barrier's back beyond the section",
-                         "lengthen the section");
+        throw InputError(spec.place("effects.barrier.chainage_m"),
+                         "puts the barrier's back beyond the section", "lengthen the section");
     return barrier;
 }
 
@@ -101,8 +105,8 @@ Shaking place_shaking(const CaseSpec& spec) {
     Shaking shaking = read_shaking_record(spec.shaking_record);
     if (shaking.time.back() < spec.run.time_limit)
         throw InputError(spec.place("effects.shaking.record"),
-                         fmt::format("ends at {:.6g} s, before run.time_limit_s = {:.6g}", shaking.time.back(),
-                                     spec.run.time_limit),
+                         fmt::format("ends at {:.6g} s, before run.time_limit_s = {:.6g}",
+                                     shaking.time.back(), spec.run.time_limit),
                          "lengthen the record (zeros: the ground is still), or shorten the run");
     return shaking;
 }
@@ -158,7 +162,8 @@ std::vector<Gauge> place_gauges(const CaseSpec& spec, const Profile& profile) {
     std::vector<Gauge> gauges = spec.gauges;
     for (std::size_t i = 0; i < gauges.size(); ++i) {
         if (std::isnan(gauges[i].x))
-            throw InputError(spec.place("gauge.chainage_m"), fmt::format("is missing for [[gauge]] {}", i + 1),
+            throw InputError(spec.place("gauge.chainage_m"),
+                             fmt::format("is missing for [[gauge]] {}", i + 1),
                              "give its chainage in metres");
         gauges[i].x = place_x(spec, profile, "gauge.chainage_m", gauges[i].x);
         if (gauges[i].name.empty()) gauges[i].name = fmt::format("gauge-{}", i + 1);

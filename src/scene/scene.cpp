@@ -19,6 +19,8 @@ namespace {
 constexpr double fewest_particles = 4;
 constexpr double most_particles = 5e6;
 
+constexpr int cohesive_friction_iterations = 20;
+
 Profile read_ground(const SectionSpec& section) {
     if (!section.file.empty()) return read_profile_csv(section.file, section.options);
     return read_profile_dem({section.raster, section.line, section.sampling_m}, section.options);
@@ -92,6 +94,19 @@ void check_friction_angle(const CaseSpec& spec) {
                          "give the internal friction angle, 0 <= number < 80 deg");
 }
 
+/// Cohesive soil is elastic where it does not yield; with the usual number of iterations it is so soft that a
+/// standing cut sags.
+RunSettings run_settings(const CaseSpec& spec, std::vector<std::string>& assumed) {
+    RunSettings run = spec.run;
+    const bool cohesive = spec.effects.cohesion && spec.effects.cohesion->strength > 0;
+    if (!cohesive || spec.has("run.friction_iterations") || run.friction == FrictionScheme::explicit_)
+        return run;
+    run.friction_iterations = cohesive_friction_iterations;
+    assumed.push_back(
+        fmt::format("run.friction_iterations = {}, for a cohesive soil", run.friction_iterations));
+    return run;
+}
+
 }  // namespace
 
 Site make_site(const CaseSpec& spec) {
@@ -109,13 +124,14 @@ Scene make_scene(const CaseSpec& spec) {
     check_particle_count(spec, site.source.area);
     Effects effects = place_effects(spec, site);
     std::vector<Gauge> gauges = place_gauges(spec, site.profile);
+    const RunSettings run = run_settings(spec, site.assumed);
     return {.name = spec.name,
             .profile = std::move(site.profile),
             .source = std::move(site.source),
             .material = spec.material,
             .effects = std::move(effects),
             .gauges = std::move(gauges),
-            .run = spec.run,
+            .run = run,
             .assumed = std::move(site.assumed)};
 }
 

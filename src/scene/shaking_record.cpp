@@ -18,7 +18,8 @@ constexpr const char* header = "the header is time_s,horizontal_m_s2 or time_s,h
 std::array<std::size_t, 3> read_header(const CsvRow& row, const std::string& path) {
     std::array<std::size_t, 3> columns;
     for (std::size_t c = 0; c < column_names.size(); ++c) {
-        columns[c] = static_cast<std::size_t>(std::ranges::find(row.fields, column_names[c]) - row.fields.begin());
+        columns[c] =
+            static_cast<std::size_t>(std::ranges::find(row.fields, column_names[c]) - row.fields.begin());
         if (columns[c] == row.fields.size() && c < 2)
             throw InputError({path, row.line, "column", ""},
                              fmt::format("{} is missing in the header", column_names[c]), header);

@@ -29,17 +29,20 @@ void insert(Statement& statement, const Values&... values) {
 }
 
 void insert_gauge(Database& database, long run_id, long index, const GaugeRecord& gauge) {
-    Statement whole(database,
-                    "INSERT INTO gauge (run_id, gauge_index, name, chainage_m, arrival_time_s, greatest_thickness_m,"
-                    " greatest_speed_m_s, greatest_kinetic_head_m, passed_area_m2) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    insert(whole, run_id, index, gauge.name, gauge.chainage_m, gauge.arrival_time_s, gauge.greatest_thickness_m,
-           gauge.greatest_speed_m_s, gauge.greatest_kinetic_head_m, gauge.passed_area_m2);
+    Statement whole(
+        database,
+        "INSERT INTO gauge (run_id, gauge_index, name, chainage_m, arrival_time_s, greatest_thickness_m,"
+        " greatest_speed_m_s, greatest_kinetic_head_m, passed_area_m2) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    insert(whole, run_id, index, gauge.name, gauge.chainage_m, gauge.arrival_time_s,
+           gauge.greatest_thickness_m, gauge.greatest_speed_m_s, gauge.greatest_kinetic_head_m,
+           gauge.passed_area_m2);
     Statement row(database,
                   "INSERT INTO gauge_series (run_id, gauge_index, row_index, time_s, thickness_m, speed_m_s,"
                   " kinetic_head_m, passed_area_m2) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
     long i = 0;
     for (const GaugeRow& r : gauge.rows)
-        insert(row, run_id, index, i++, r.time_s, r.thickness_m, r.speed_m_s, r.kinetic_head_m, r.passed_area_m2);
+        insert(row, run_id, index, i++, r.time_s, r.thickness_m, r.speed_m_s, r.kinetic_head_m,
+               r.passed_area_m2);
 }
 
 void insert_barrier(Database& database, long run_id, const BarrierRecord& b) {
@@ -48,9 +51,9 @@ void insert_barrier(Database& database, long run_id, const BarrierRecord& b) {
                     " greatest_moment_n, impulse_n_s_m, last_force_n_m, run_up_m, overtopped_area_m2,"
                     " approach_speed_m_s, approach_thickness_m, design_force_n_m)"
                     " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    insert(whole, run_id, b.arrival_time_s, b.greatest_force_n_m, b.greatest_force_time_s, b.greatest_moment_n,
-           b.impulse_n_s_m, b.last_force_n_m, b.run_up_m, b.overtopped_area_m2, b.approach_speed_m_s,
-           b.approach_thickness_m, b.design_force_n_m);
+    insert(whole, run_id, b.arrival_time_s, b.greatest_force_n_m, b.greatest_force_time_s,
+           b.greatest_moment_n, b.impulse_n_s_m, b.last_force_n_m, b.run_up_m, b.overtopped_area_m2,
+           b.approach_speed_m_s, b.approach_thickness_m, b.design_force_n_m);
     Statement row(database,
                   "INSERT INTO barrier_series (run_id, row_index, time_s, force_x_n_m, force_y_n_m, moment_n,"
                   " impulse_x_n_s_m) VALUES (?, ?, ?, ?, ?, ?, ?)");
@@ -72,15 +75,17 @@ std::vector<GaugeRow> select_gauge_rows(Database& database, long run_id, long ga
 }
 
 void select_gauges(Database& database, StoredRun& run) {
-    Statement whole(database,
-                    "SELECT name, chainage_m, arrival_time_s, greatest_thickness_m, greatest_speed_m_s,"
-                    " greatest_kinetic_head_m, passed_area_m2 FROM gauge WHERE run_id = ? ORDER BY gauge_index");
+    Statement whole(
+        database,
+        "SELECT name, chainage_m, arrival_time_s, greatest_thickness_m, greatest_speed_m_s,"
+        " greatest_kinetic_head_m, passed_area_m2 FROM gauge WHERE run_id = ? ORDER BY gauge_index");
     whole.bind(1, run.run_id);
     while (whole.executeStep()) {
         const long index = static_cast<long>(run.gauges.size());
-        run.gauges.push_back({whole.getColumn(0).getString(), real(whole.getColumn(1)), real(whole.getColumn(2)),
-                              real(whole.getColumn(3)), real(whole.getColumn(4)), real(whole.getColumn(5)),
-                              real(whole.getColumn(6)), select_gauge_rows(database, run.run_id, index)});
+        run.gauges.push_back({whole.getColumn(0).getString(), real(whole.getColumn(1)),
+                              real(whole.getColumn(2)), real(whole.getColumn(3)), real(whole.getColumn(4)),
+                              real(whole.getColumn(5)), real(whole.getColumn(6)),
+                              select_gauge_rows(database, run.run_id, index)});
     }
 }
 
@@ -104,8 +109,9 @@ void select_barrier(Database& database, StoredRun& run) {
     whole.bind(1, run.run_id);
     while (whole.executeStep()) {
         const auto value = [&](int column) { return real(whole.getColumn(column)); };
-        run.barriers.push_back({value(0), value(1), value(2), value(3), value(4), value(5), value(6), value(7),
-                                value(8), value(9), value(10), select_barrier_rows(database, run.run_id)});
+        run.barriers.push_back({value(0), value(1), value(2), value(3), value(4), value(5), value(6),
+                                value(7), value(8), value(9), value(10),
+                                select_barrier_rows(database, run.run_id)});
     }
 }
 
@@ -121,8 +127,9 @@ void insert_effect_settings(Database& database, long scenario_id, const Scene& s
 }
 
 void insert_effects(Database& database, long run_id, const RunResult& result) {
-    Statement effect(database,
-                     "INSERT INTO run_effect (run_id, row_index, effect, is_on, why, cost_s) VALUES (?, ?, ?, ?, ?, ?)");
+    Statement effect(
+        database,
+        "INSERT INTO run_effect (run_id, row_index, effect, is_on, why, cost_s) VALUES (?, ?, ?, ?, ?, ?)");
     long i = 0;
     for (const EffectRow& row : result.effects)
         insert(effect, run_id, i++, row.name, static_cast<int>(row.on), row.why, row.cost_s);

@@ -117,8 +117,8 @@ SceneIdentity scene_identity(const Scene& scene) {
     const std::string section = section_text(scene.profile);
     const std::string source = section + source_text(scene.source);
     // The version stands for the numerics: a release that changes results must not take over the old ones.
-    const std::string scenario = source + question_text(scene) +
-                                 "program_version " + program_version() + "\n";
+    const std::string scenario =
+        source + question_text(scene) + "program_version " + program_version() + "\n";
     return {sha256_hex(section), sha256_hex(source), sha256_hex(scenario)};
 }
 
