@@ -39,6 +39,14 @@ Polyline lowered(const Polyline& ground, const ErodibleBed& layer) {
 
 }  // namespace
 
+Effects with_whole_layers(Effects effects, double spacing) {
+    if (effects.erodible_bed) {
+        double& depth = effects.erodible_bed->depth;
+        depth = spacing * std::max(1.0, std::round(depth / spacing));
+    }
+    return effects;
+}
+
 Polygon layer_outline(const Polyline& ground, const ErodibleBed& layer) {
     const Polyline top = between(ground, layer.from, layer.to);
     Polygon outline;

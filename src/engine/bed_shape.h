@@ -9,6 +9,10 @@ namespace runout {
 /// barrier on it. The ground itself where there is neither.
 Polyline shape_bed(const Polyline& ground, const Effects& effects);
 
+/// The same effects with the erodible layer as deep as the nearest whole number of particles, at least one: a
+/// layer of one and a half would start squeezed.
+Effects with_whole_layers(Effects effects, double spacing);
+
 /// Outline of the erodible layer, counter-clockwise: between the ground and the same lowered by its depth.
 Polygon layer_outline(const Polyline& ground, const ErodibleBed& layer);
 

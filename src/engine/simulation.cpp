@@ -59,10 +59,10 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
     : threads_(threads_for(scene.run.threads, packing.x.size())),
       run_(scene.run),
       material_(scene.material),
-      effects_(scene.effects),
+      effects_(with_whole_layers(scene.effects, packing.spacing)),
       release_(scene.effects.release.value_or(StagedRelease{})),
       ground_(scene.source.bed),
-      bed_(shape_bed(scene.source.bed, scene.effects)),
+      bed_(shape_bed(scene.source.bed, effects_)),
       discretisation_(
           make_discretisation(packing.spacing, scene.run.smoothing_ratio, scene.material.density)),
       length_scale_(std::sqrt(scene.source.area)),

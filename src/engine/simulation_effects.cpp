@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "engine/bed_shape.h"
 #include "engine/later_masses.h"
@@ -50,7 +51,7 @@ void Simulation::set_up_effects() {
 
 double& Simulation::cost_of(const char* effect) {
     for (EffectCost& cost : effect_costs_)
-        if (cost.effect == effect) return cost.seconds;
+        if (std::string_view(cost.effect) == effect) return cost.seconds;
     return effect_costs_.emplace_back(EffectCost{effect, 0.0}).seconds;
 }
 

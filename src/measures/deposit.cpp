@@ -15,6 +15,11 @@ constexpr double link_spacings = 1.6;
 constexpr double bin_spacings = 2.0;
 constexpr double deposit_share = 0.01;  // of all particles, that makes a cluster part of the deposit
 
+/// What the debris lies on: the ground, or a barrier on it; an erodible layer counts as ground.
+double surface_below(const StateView& state, double x) {
+    return std::max(state.ground->elevation(x), state.bed->elevation(x));
+}
+
 int root(std::vector<int>& parent, int i) {
     while (parent[i] != i) i = parent[i] = parent[parent[i]];
     return i;
@@ -83,14 +88,14 @@ DepositProfile deposit_profile(const StateView& state, const std::vector<char>& 
     profile.bins.resize(static_cast<std::size_t>(last - first + 1));
     for (std::size_t k = 0; k < profile.bins.size(); ++k) {
         profile.bins[k].x = (static_cast<double>(first) + static_cast<double>(k) + 0.5) * profile.bin_width;
-        profile.bins[k].bed = state.ground->elevation(profile.bins[k].x);
+        profile.bins[k].bed = surface_below(state, profile.bins[k].x);
     }
     for (std::size_t i = 0; i < body.size(); ++i) {
         if (!body[i]) continue;
         add_to_bins(profile, first, state.x[i], dl * dl);
         const long bin_number = static_cast<long>(std::floor(state.x[i] / profile.bin_width)) - first;
         auto& bin = profile.bins[static_cast<std::size_t>(bin_number)];
-        bin.by_top = std::max(bin.by_top, state.y[i] + 0.5 * dl - state.ground->elevation(state.x[i]));
+        bin.by_top = std::max(bin.by_top, state.y[i] + 0.5 * dl - surface_below(state, state.x[i]));
     }
     return profile;
 }

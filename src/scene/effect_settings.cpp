@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/units.h"
 
@@ -54,7 +56,7 @@ void add(Settings& out, const BaseFriction& effect) {
     out.add_if_given("angle_deg", degrees(angle));
     std::string text;
     for (const auto& [from, to, own] : ranges) {
-        const auto [low, high] = std::minmax(out.chainage(from), out.chainage(to));
+        const auto [low, high] = std::minmax({out.chainage(from), out.chainage(to)});
         text += fmt::format("{}[{}, {}, {}]", text.empty() ? "" : ", ", low, high, degrees(own));
     }
     if (!ranges.empty()) out.add("ranges", "[" + text + "]");
@@ -129,7 +131,7 @@ void add(Settings& out, const StagedRelease& effect) {
 
 void add(Settings& out, const ErodibleBed& effect) {
     const auto& [depth, from, to] = effect;
-    const auto [low, high] = std::minmax(out.chainage(from), out.chainage(to));
+    const auto [low, high] = std::minmax({out.chainage(from), out.chainage(to)});
     out.begin("erodible_bed");
     out.add("depth_m", depth);
     out.add("from_chainage_m", low);

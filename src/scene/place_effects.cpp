@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "scene/shaking_record.h"
@@ -18,7 +19,7 @@ double place_x(const CaseSpec& spec, const Profile& profile, std::string_view ke
     const double last = profile.ground.back().x();
     if (x > first && x < last) return x;
     const auto [low, high] =
-        std::minmax(profile.to_section({first, 0}).x(), profile.to_section({last, 0}).x());
+        std::minmax({profile.to_section({first, 0}).x(), profile.to_section({last, 0}).x()});
     throw InputError(spec.place(key), fmt::format("is not on the section at chainage {:.6g} m", chainage),
                      fmt::format("valid: {:.6g} < chainage < {:.6g} m", low, high));
 }
