@@ -167,7 +167,7 @@ void write_geopackage(GDALDataset& data, const MapSheet& sheet, const OGRSpatial
                                              const_cast<char**>(options.data()));
         if (written == nullptr) fail(path);
         create_fields(*written, fields_of(layer), path);
-        written->StartTransaction();
+        if (written->StartTransaction() != OGRERR_NONE) fail(path);
         write_features(*written, layer, transformation, path);
         if (written->CommitTransaction() != OGRERR_NONE) fail(path);
     }
