@@ -401,17 +401,16 @@ TEST_F(MapFiles, ALargeRasterIsReadByWindow) {
         data->SetSpatialRef(&reference);
         data->GetRasterBand(1)->SetNoDataValue(-9999);
         std::vector<float> block(tile * tile);
-        for (int across = 0; across < cells; across += tile)
-            for (int down = std::max(0, across - tile); down <= across + tile && down < cells; down += tile) {
-                const int width = std::min(tile, cells - across);
+        for (int right = 0; right < cells; right += tile)
+            for (int down = std::max(0, right - tile); down <= right + tile && down < cells; down += tile) {
+                const int width = std::min(tile, cells - right);
                 const int height = std::min(tile, cells - down);
                 for (int j = 0; j < height; ++j)
                     for (int i = 0; i < width; ++i)
-                        block[j * width + i] = static_cast<float>(9000.0 - (across + i) - 0.25 * (down + j));
-                ASSERT_EQ(
-                    data->GetRasterBand(1)->RasterIO(GF_Write, across, down, width, height, block.data(),
-                                                     width, height, GDT_Float32, 0, 0, nullptr),
-                    CE_None);
+                        block[j * width + i] = static_cast<float>(9000.0 - (right + i) - 0.25 * (down + j));
+                ASSERT_EQ(data->GetRasterBand(1)->RasterIO(GF_Write, right, down, width, height, block.data(),
+                                                           width, height, GDT_Float32, 0, 0, nullptr),
+                          CE_None);
             }
     }
     const std::string lines =
