@@ -39,6 +39,29 @@ CREATE TABLE stage (
     PRIMARY KEY (run_id, row_index)
 ) STRICT, WITHOUT ROWID;
 )"},
+        Migration{2, R"(
+CREATE TABLE map_line (
+    line_id INTEGER PRIMARY KEY,
+    line_hash TEXT NOT NULL UNIQUE,
+    crs TEXT NOT NULL
+) STRICT;
+CREATE TABLE map_line_point (
+    line_id INTEGER NOT NULL REFERENCES map_line ON DELETE CASCADE,
+    point_index INTEGER NOT NULL,
+    chainage_m REAL NOT NULL,
+    x REAL NOT NULL,
+    y REAL NOT NULL,
+    PRIMARY KEY (line_id, point_index)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE map_line_attribute (
+    line_id INTEGER NOT NULL REFERENCES map_line ON DELETE CASCADE,
+    attribute_index INTEGER NOT NULL,
+    name TEXT NOT NULL,
+    value ANY,
+    PRIMARY KEY (line_id, attribute_index)
+) STRICT, WITHOUT ROWID;
+ALTER TABLE run ADD COLUMN line_id INTEGER REFERENCES map_line;
+)"},
     };
     return steps;
 }

@@ -8,6 +8,7 @@
 
 #include "core/input_error.h"
 #include "store/database.h"
+#include "store/run_places.h"
 #include "store/run_rows.h"
 #include "store/write_scenario.h"
 
@@ -43,6 +44,7 @@ long Store::add(const Scene& scene, const RunResult& result) {
         // Immediate: a second writer waits here, and not halfway, where SQLite could only refuse it.
         SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
         const long run_id = insert_run(database, scenario_row(database, scene), describe_run(scene, result));
+        if (scene.profile.map_line) set_map_line(database, run_id, *scene.profile.map_line);
         insert_series(database, run_id, result.series);
         insert_deposit(database, run_id, result.deposit);
         insert_snapshots(database, run_id, result.snapshots);
@@ -90,6 +92,15 @@ std::vector<DepositRow> Store::deposit(long run_id) const {
 
 std::vector<PhaseTime> Store::phases(long run_id) const {
     return impl_->with_database([=](SQLite::Database& database) { return select_phases(database, run_id); });
+}
+
+std::optional<RunPlace> Store::place(long run_id) const {
+    return impl_->with_database([=](SQLite::Database& database) { return select_place(database, run_id); });
+}
+
+Question Store::question(long run_id) const {
+    return impl_->with_database(
+        [=](SQLite::Database& database) { return select_question(database, run_id); });
 }
 
 }  // namespace runout

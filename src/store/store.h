@@ -19,6 +19,7 @@ struct StoredRun {
     long run_id = 0;  ///< 0: not stored
     std::string name;
     std::string section_origin;
+    std::vector<Attribute> section_attributes{};  ///< what the map said of the section line
     std::string source_type;
     double discontinuity_angle_deg = 0;  ///< of the plane that bounds front_area_m2
     std::string drop_height_datum;       ///< point of the source that drop_height_m is measured to
@@ -40,6 +41,25 @@ struct StoredRun {
 /// The run that has just ended, by this program on this machine, as `Store::add` writes it. For telling the
 /// result when there is no database, or when it could not be written.
 StoredRun describe_run(const Scene& scene, const RunResult& result);
+
+/// Where a run took place: the section in chainages and elevations of its origin, and on the map.
+struct RunPlace {
+    double toe_chainage_m = 0;
+    double toe_elevation_m = 0;
+    bool descends_with_chainage = true;
+    Polyline bed;  ///< what the source leaves and the ground before it, from the uphill to the distal end
+    Polygon source_outline;
+    Vec2 head{0, 0};        ///< upper end of the source on the ground
+    Vec2 exit_point{0, 0};  ///< P, where the slip surface daylights
+    MapLine line;
+};
+
+/// What a run was asked, apart from its ground, as JSON: equal texts are equal questions.
+struct Question {
+    std::string physical;   ///< kind of source, soil and effects
+    std::string source;     ///< its source among those of the database
+    std::string numerical;  ///< resolution, schemes and tolerances
+};
 
 /// The results database, format in db/schema.sql. One transaction a run, so nothing is ever half written; any
 /// number of programs may write one file.
@@ -71,6 +91,9 @@ class Store {
     [[nodiscard]] std::vector<PhaseTime> phases(long run_id) const;
     [[nodiscard]] std::vector<Snapshot> snapshots(long run_id) const;
     [[nodiscard]] std::vector<StageRow> stages(long run_id) const;
+    /// None when the section came from a CSV, which does not say where it lies.
+    [[nodiscard]] std::optional<RunPlace> place(long run_id) const;
+    [[nodiscard]] Question question(long run_id) const;
 
   private:
     struct Impl;
