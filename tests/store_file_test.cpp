@@ -26,8 +26,9 @@ TEST_F(StoreTest, ARunThatCannotBeStoredLeavesNothing) {
     twice.phases.push_back(twice.phases.front());  // the last insert of the transaction breaks a primary key
     Store store(path, Store::Mode::write);
     EXPECT_THROW(store.add(example_scene(), twice), std::exception);
-    for (const char* table : {"section", "section_point", "source", "source_point", "scenario", "run",
-                              "measure", "series", "deposit_profile", "snapshot", "stage", "phase_time"})
+    for (const char* table :
+         {"section", "section_point", "source", "source_point", "scenario", "run", "measure", "series",
+          "deposit_profile", "snapshot", "frame", "stage", "phase_time"})
         EXPECT_EQ(count(table), 0) << table;
     store.add(example_scene(), example_result());
     EXPECT_EQ(count("run"), 1) << "the store goes on after a failure";
@@ -367,9 +368,9 @@ std::set<std::string> format_of(SQLite::Database& database) {
     return format;
 }
 
-/// What a program of version 1 would have written: the format as it is now without what version 2 added.
+/// What a program of version 1 would have written: the format as it is now without what later versions added.
 void take_back_to_version_one(SQLite::Database& database) {
-    database.exec("DROP TABLE snapshot; DROP TABLE stage; PRAGMA user_version = 1");
+    database.exec("DROP TABLE snapshot; DROP TABLE stage; DROP TABLE frame; PRAGMA user_version = 1");
     for (const char* column : {"lattice_seed", "snapshot_times_s", "base_friction_angle_deg",
                                "release_layers", "release_layer_width_m", "release_layer_height_m"})
         database.exec(std::string("ALTER TABLE scenario DROP COLUMN ") + column);
@@ -390,11 +391,12 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     Store store(path, Store::Mode::write);
     SQLite::Database file = raw();
     EXPECT_EQ(format_of(file), wanted);
-    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 2);
+    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 3);
     EXPECT_EQ(store.run(id).name, example_scene().name);
     EXPECT_EQ(store.run(id).measures.run_out_m, result.measures.run_out_m);
     EXPECT_EQ(store.series(id).size(), result.series.size());
     EXPECT_TRUE(store.snapshots(id).empty());
+    EXPECT_TRUE(store.frames(id).empty());
     EXPECT_TRUE(store.stages(id).empty());
     EXPECT_EQ(count("scenario WHERE lattice_seed = 0 AND snapshot_times_s = '[]'"
                     " AND base_friction_angle_deg IS NULL AND release_layers IS NULL"),
