@@ -68,7 +68,7 @@ TEST_F(BackAnalysisTest, CombinesEveryValueWithEveryOther) {
 TEST_F(BackAnalysisTest, RefusesWhatItCannotUse) {
     write("ranges.csv", "key,values,source,firmness\nmaterial.friction,25,x,found\n");
     EXPECT_TRUE(contains(refusal_to_read(), "material.friction"));
-    EXPECT_TRUE(contains(refusal_to_read(), "ranges.csv:2"));
+    EXPECT_TRUE(contains(refusal_to_read(), "ranges.csv, line 2"));
     write("ranges.csv", "key,values,source,firmness\nmaterial.friction_angle_deg,25||30,x,found\n");
     EXPECT_TRUE(contains(refusal_to_read(), "empty value"));
     write("ranges.csv", "key,values,source,firmness\nmaterial.friction_angle_deg,25,x,certain\n");

@@ -35,7 +35,7 @@ TEST_F(ExportTest, SnapshotsBecomeFilesOfPointsAndAList) {
     EXPECT_EQ(files[2].first, "particles.pvd");
     EXPECT_TRUE(contains(files[2].second, "timestep=\"0.25\" file=\"particles_0000.vtp\""));
     EXPECT_TRUE(contains(files[0].second, "NumberOfPoints=\"2\""));
-    EXPECT_EQ(array_of(files[0].second, "position_m"), (std::vector<double>{1.5, 0.5, 0, 2.25, 0.1F, 0}));
+    EXPECT_EQ(array_of(files[0].second, "position_m"), (std::vector<double>{1.5, 0.5, 0, 2.25, 0.1, 0}));
     EXPECT_EQ(array_of(files[0].second, "velocity_m_s").size(), 6u);
     EXPECT_NEAR(array_of(files[0].second, "speed_m_s")[0], 3.3, 1e-6);
     EXPECT_EQ(array_of(files[0].second, "connectivity"), (std::vector<double>{0, 1}));

@@ -166,7 +166,8 @@ TEST_F(ProgramTest, HelpsWithEverySubcommand) {
     EXPECT_EQ(outcome.err, "");
     for (const char* word : {"run ", "source ", "table ", "help ", "Examples:", "Exit codes:"})
         EXPECT_TRUE(contains(outcome.out, word)) << word;
-    for (const char* sub : {"run", "source", "table", "report", "compare", "export", "back-analysis", "help"}) {
+    for (const char* sub :
+         {"run", "source", "table", "report", "compare", "export", "back-analysis", "help"}) {
         EXPECT_EQ(runout({sub, "--help"}).exit_code, 0) << sub;
         EXPECT_TRUE(contains(runout({"help", sub}).out, fmt::format("runout {}", sub))) << sub;
     }

@@ -58,7 +58,8 @@ void FrameRecorder::sample(const Simulation& simulation, bool last) {
     if (!pictures_.empty() && time <= pictures_.back().time_s) return;
     take(simulation.state());
     while (due_ <= time) due_ += interval_;
-    if (pictures_.size() > most_) thin_out();
+    if (!last && pictures_.size() > most_) thin_out();
+    if (last && pictures_.size() > std::max<std::size_t>(most_, 2)) pictures_.erase(pictures_.end() - 2);
 }
 
 void FrameRecorder::take(const StateView& state) {

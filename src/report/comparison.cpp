@@ -27,26 +27,6 @@ Vec2 point_along(const Polyline& line, double length) {
     return line.empty() ? Vec2(0, 0) : line.back();
 }
 
-/// Where the line from the head at the reach angle last comes down to the bed.
-Vec2 foot_of_reach_line(const SectionGeometry& geometry, double ratio) {
-    const auto above = [&](const Vec2& point) {
-        return geometry.head.y() - ratio * (point.x() - geometry.head.x()) - point.y();
-    };
-    const Polyline& bed = geometry.bed;
-    for (std::size_t i = bed.size() - 1; i > 0; --i) {
-        const double before = above(bed[i - 1]), after = above(bed[i]);
-        if (before > 0 && after <= 0) return bed[i - 1] + (bed[i] - bed[i - 1]) * (before / (before - after));
-    }
-    return geometry.exit_point;
-}
-
-/// The distal margin. Past the toe its distance is stored; on the cut the reach angle tells it.
-Vec2 margin_of(const RunData& run) {
-    if (run.run.measures.run_out_m > 0)
-        return point_along(apron_of(run.geometry), run.run.measures.run_out_m);
-    return foot_of_reach_line(run.geometry, travel_ratio(run.run));
-}
-
 }  // namespace
 
 double run_out_at(const SectionGeometry& geometry, double ratio) {
@@ -69,14 +49,15 @@ double run_out_at(const SectionGeometry& geometry, double ratio) {
 std::string comparison_refusal(const RunData& run) {
     if (!is_result(run.run.status))
         return fmt::format("it ended as {} and is no result", to_string(run.run.status));
-    if (!std::isfinite(run.run.measures.reach_angle_deg)) return "nothing ran out, so it has no reach angle";
+    if (run.run.status == RunStatus::stable) return "the source stands, and nothing ran out";
+    if (!(run.run.measures.run_out_m > 0)) return "its debris does not pass the toe of the cut";
     return {};
 }
 
 Comparison compare_run(const RunData& run, double width) {
     Comparison comparison;
     const Measures& measures = run.run.measures;
-    const Vec2 margin = margin_of(run);
+    const Vec2 margin = point_along(apron_of(run.geometry), measures.run_out_m);
     comparison.width = width;
     comparison.run_out_m = measures.run_out_m;
     comparison.angle_deg = measures.reach_angle_deg;

@@ -23,10 +23,11 @@ struct Comparison {
     std::vector<std::vector<double>> run_outs;
 };
 
-/// Why a run cannot be compared (it did not settle, or nothing ran out); empty when it can.
+/// Why a run cannot be compared (it did not settle, or nothing passed the toe); empty when it can.
 std::string comparison_refusal(const RunData& run);
 
-/// `width`: of the slide across the section, m; NaN when it is not known. The volume is never guessed.
+/// Of a run that comparison_refusal() lets pass. `width`: of the slide across the section, m; NaN when it is
+/// not known. The volume is never guessed.
 Comparison compare_run(const RunData& run, double width);
 
 /// Distance past the toe, along the ground, at which the line from the head at H/L = ratio meets the ground:

@@ -14,7 +14,7 @@ constexpr double plane_angle_deg = 55, plane_friction_deg = 38, plane_band_deg =
 constexpr double sound_density = 1.1;
 
 void add_front_plane(std::vector<std::string>& warnings, const StoredRun& run) {
-    if (run.discontinuity_angle_deg != plane_angle_deg) return;
+    if (std::abs(run.discontinuity_angle_deg - plane_angle_deg) > 0.01) return;  // chosen for this soil
     if (std::abs(run.friction_angle_deg - plane_friction_deg) <= plane_band_deg) return;
     warnings.push_back(
         fmt::format("S_front stands above a plane of {:g} deg, which was found for a friction angle of {:g} "

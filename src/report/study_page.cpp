@@ -93,13 +93,13 @@ PageSection table_section(const std::vector<StoredRun>& runs) {
 PageSection scaling_section(const std::vector<StoredRun>& results) {
     Figure height{"drop", "Run-out against drop height", "H_d/√S", "L/√S", {}};
     Figure front{"front-area", "Run-out against the share of the front", "S_front/S", "L/√S", {}};
-    std::size_t fits = 0;
+    std::size_t fitted_groups = 0;
     for (const auto& [label, runs] : by_slope_and_soil(results)) {
         const auto points = points_of(runs, &Measures::drop_height_normalised, &Measures::run_out_normalised);
         height.curves.push_back({label, Curve::Style::markers, points});
         if (distinct_x(points) >= 5) {
             height.curves.push_back(fitted_curve(label, points));
-            ++fits;
+            ++fitted_groups;
         }
         front.curves.push_back({label, Curve::Style::markers,
                                 points_of(runs, &Measures::front_area_ratio, &Measures::run_out_normalised)});
@@ -107,7 +107,7 @@ PageSection scaling_section(const std::vector<StoredRun>& results) {
     PageSection section{"scaling", "Normalised run-out", {}, {}, {}};
     section.charts = {
         {"drop", height, false,
-         fits > 0
+         fitted_groups > 0
              ? "Lines: L/√S = a + b (1 - exp(-c H_d/√S)), fitted: it rises at a falling rate, as the paper "
                "found."
              : "The paper: it rises with the drop height at a falling rate. A line is fitted through five "
