@@ -227,6 +227,29 @@ CREATE TABLE snapshot (
     PRIMARY KEY (run_id, row_index)
 ) STRICT;
 
+-- Pictures of the moving mass, local frame, for the animation of a report: six bytes a particle, at most about
+-- 4000 particles, enough to look at and not to compute with. value = low + code * step. A particle has the same
+-- place in every picture of a run. In x and y a code is an unsigned 16-bit integer, little-endian, in speed and
+-- pressure an unsigned byte.
+CREATE TABLE frame (
+    run_id             INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index          INTEGER NOT NULL,
+    time_s             REAL NOT NULL,
+    x_low_m            REAL NOT NULL,
+    x_step_m           REAL NOT NULL,
+    y_low_m            REAL NOT NULL,
+    y_step_m           REAL NOT NULL,
+    speed_low_m_s      REAL NOT NULL,
+    speed_step_m_s     REAL NOT NULL,
+    pressure_low_pa    REAL NOT NULL,
+    pressure_step_pa   REAL NOT NULL,
+    x                  BLOB NOT NULL,
+    y                  BLOB NOT NULL,
+    speed              BLOB NOT NULL,
+    pressure           BLOB NOT NULL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT;
+
 -- The heap at rest after each release of a staged run; row 0 is the source alone.
 CREATE TABLE stage (
     run_id             INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,

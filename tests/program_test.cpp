@@ -166,7 +166,8 @@ TEST_F(ProgramTest, HelpsWithEverySubcommand) {
     EXPECT_EQ(outcome.err, "");
     for (const char* word : {"run ", "source ", "table ", "help ", "Examples:", "Exit codes:"})
         EXPECT_TRUE(contains(outcome.out, word)) << word;
-    for (const char* sub : {"run", "profile", "source", "table", "map", "help"}) {
+    for (const char* sub : {"run", "profile", "source", "table", "map", "report", "compare", "export",
+                            "back-analysis", "help"}) {
         EXPECT_EQ(runout({sub, "--help"}).exit_code, 0) << sub;
         EXPECT_TRUE(contains(runout({"help", sub}).out, fmt::format("runout {}", sub))) << sub;
     }
@@ -378,6 +379,64 @@ TEST_F(ProgramTest, RefusesTablesItCannotMake) {
 }
 
 // --- bad input: every mistake of the issue
+
+// --- reports
+
+TEST_F(ProgramTest, ReportsComparesAndExportsAStoredRun) {
+    ASSERT_EQ(runout({"run", "case.toml", "--quiet", "--frames", "10"}).exit_code, 0);
+    const Outcome report = runout({"report", "runout.db", "-o", "page.html"});
+    EXPECT_EQ(report.exit_code, 0) << report.err;
+    EXPECT_EQ(report.out, "");
+    const std::string page = text_of(work() / "page.html");
+    EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
+    EXPECT_TRUE(contains(page, "\"animation\":{"));
+
+    const Outcome compare = runout({"compare", "runout.db", "--width", "2"});
+    EXPECT_EQ(compare.exit_code, 0) << compare.err;
+    EXPECT_TRUE(contains(compare.out, "Hunter & Fell"));
+    EXPECT_TRUE(contains(compare.out, "over a width of 2 m"));
+
+    const Outcome files = runout({"export", "runout.db", "--vtk", "made/points", "--csv", "tables"});
+    EXPECT_EQ(files.exit_code, 0) << files.err;
+    EXPECT_TRUE(fs::exists(work() / "made/points/particles.pvd"));
+    EXPECT_TRUE(fs::exists(work() / "made/points/particles_0000.vtp"));
+    EXPECT_TRUE(fs::exists(work() / "tables/series.csv"));
+
+    EXPECT_EQ(runout({"report", "runout.db", "--section", "1", "-o", "section.html"}).exit_code, 0);
+    EXPECT_EQ(runout({"report", "runout.db", "--named", "work", "-o", "named.html"}).exit_code, 0);
+}
+
+TEST_F(ProgramTest, RefusesReportsItCannotMake) {
+    expect_refused({"report", "none.db"}, {"none.db", "no such file"});
+    ASSERT_EQ(runout({"run", "case.toml", "--quiet", "--frames", "0"}).exit_code, 0);
+    expect_refused({"report", "runout.db", "--run", "7"}, {"7", "no such run"});
+    expect_refused({"report", "runout.db", "--section", "7"}, {"7", "section"});
+    expect_refused({"report", "runout.db", "--named", "nobody"}, {"nobody", "begins no run's name"});
+    expect_refused({"report", "runout.db", "--run", "1", "--section", "1"}, {"--section"});
+    expect_refused({"report", "runout.db", "-o", "absent/page.html"}, {"absent", "does not exist"});
+    expect_refused({"report", "runout.db", "-o", "."}, {"is a directory"});
+    expect_refused({"compare", "runout.db", "--width", "-3"}, {"--width"});
+    expect_refused({"export", "runout.db"}, {"--vtk", "--csv"});
+    expect_refused({"export", "runout.db", "--vtk", "points"}, {"no particles stored"});
+    expect_refused({"back-analysis", "absent"}, {"absent", "is not a folder"});
+    EXPECT_FALSE(fs::exists(work() / "report.html"));
+    EXPECT_FALSE(fs::exists(work() / "points"));
+    EXPECT_FALSE(fs::exists(work() / "back-analysis.db"));
+}
+
+TEST_F(ProgramTest, AnEmptyDatabaseHasNothingToReport) {
+    { const Store store((work() / "empty.db").string(), Store::Mode::write); }
+    expect_refused({"report", "empty.db"}, {"empty.db", "holds no runs"});
+    expect_refused({"compare", "empty.db"}, {"empty.db", "holds no runs"});
+    expect_refused({"export", "empty.db", "--csv", "x"}, {"empty.db", "holds no runs"});
+}
+
+TEST_F(ProgramTest, ARunThatFailedIsReportedAsSuchAndNotCompared) {
+    ASSERT_EQ(runout({"run", "case.toml", "--quiet", "--time-limit", "0.05"}).exit_code, 1);
+    EXPECT_EQ(runout({"report", "runout.db", "-o", "page.html"}).exit_code, 0);
+    EXPECT_TRUE(contains(text_of(work() / "page.html"), "Last state, not a result"));
+    expect_refused({"compare", "runout.db"}, {"cannot be compared", "time_limit"});
+}
 
 TEST_F(ProgramTest, BadFiles) {
     expect_refused({"run", "none.toml"}, {"none.toml", "does not exist"});

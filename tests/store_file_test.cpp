@@ -28,7 +28,7 @@ TEST_F(StoreTest, ARunThatCannotBeStoredLeavesNothing) {
     EXPECT_THROW(store.add(example_scene(), twice), std::exception);
     for (const char* table :
          {"section", "section_point", "source", "source_point", "scenario", "run", "measure", "series",
-          "deposit_profile", "snapshot", "stage", "phase_time", "map_line"})
+          "deposit_profile", "snapshot", "frame", "stage", "phase_time", "map_line"})
         EXPECT_EQ(count(table), 0) << table;
     store.add(example_scene(), example_result());
     EXPECT_EQ(count("run"), 1) << "the store goes on after a failure";
@@ -373,7 +373,7 @@ std::set<std::string> format_of(SQLite::Database& database) {
 void take_back_to_version_one(SQLite::Database& database) {
     database.exec(
         "ALTER TABLE run DROP COLUMN line_id; DROP TABLE map_line_point; DROP TABLE map_line_attribute;"
-        "DROP TABLE map_line; DROP TABLE snapshot; DROP TABLE stage; PRAGMA user_version = 1");
+        "DROP TABLE map_line; DROP TABLE snapshot; DROP TABLE stage; DROP TABLE frame; PRAGMA user_version = 1");
     for (const char* column : {"lattice_seed", "snapshot_times_s", "base_friction_angle_deg",
                                "release_layers", "release_layer_width_m", "release_layer_height_m"})
         database.exec(std::string("ALTER TABLE scenario DROP COLUMN ") + column);
@@ -399,6 +399,7 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     EXPECT_EQ(store.run(id).measures.run_out_m, result.measures.run_out_m);
     EXPECT_EQ(store.series(id).size(), result.series.size());
     EXPECT_TRUE(store.snapshots(id).empty());
+    EXPECT_TRUE(store.frames(id).empty());
     EXPECT_TRUE(store.stages(id).empty());
     EXPECT_EQ(count("scenario WHERE lattice_seed = 0 AND snapshot_times_s = '[]'"
                     " AND base_friction_angle_deg IS NULL AND release_layers IS NULL"),

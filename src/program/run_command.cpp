@@ -21,17 +21,19 @@ namespace {
 struct RunArguments {
     CaseArguments scenario;
     std::string database = "runout.db";
+    int frames = 60;
     bool store = true;
     bool json = false;
     bool quiet = false;
 };
 
-RunResult simulate(const Scene& scene, bool quiet) {
+RunResult simulate(const Scene& scene, const RunArguments& arguments) {
     InterruptWatch interrupt;
-    ProgressLine line(quiet ? ProgressLine::Style::none : ProgressLine::style_of_stderr());
+    ProgressLine line(arguments.quiet ? ProgressLine::Style::none : ProgressLine::style_of_stderr());
     RunControl control;
     control.on_progress = [&line](const Progress& progress) { line.show(progress); };
     control.interrupt = &interrupt.requested();
+    control.frames = arguments.store ? arguments.frames : 0;
     RunResult result = run_scene(scene, control);
     line.finish();
     return result;
@@ -63,7 +65,7 @@ std::vector<Scene> scenes_of(const CaseArguments& arguments) {
 /// Simulates, stores and prints one section, and returns its exit code.
 int run_section(const Scene& scene, const RunArguments& arguments, std::optional<Store>& store) {
     log_assumptions(scene.assumed);
-    const RunResult result = simulate(scene, arguments.quiet);
+    const RunResult result = simulate(scene, arguments);
     log_ending(result);
 
     StoredRun run = describe_run(scene, result);
@@ -112,6 +114,12 @@ void add_run_command(CLI::App& app, Command& command) {
         ->group("Output");
     sub->add_flag_callback(
            "--no-store", [arguments] { arguments->store = false; }, "Leave no trace but the answer")
+        ->group("Output");
+    sub->add_option("--frames", arguments->frames,
+                    "Most pictures of the particles to store for the animation of the report; 0 for none")
+        ->type_name("number")
+        ->check(CLI::Range(0, 10000))
+        ->capture_default_str()
         ->group("Output");
     sub->add_flag("--json", arguments->json,
                   "Print the answer as one JSON object, one after the other for many sections")

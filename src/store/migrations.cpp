@@ -61,6 +61,24 @@ CREATE TABLE map_line_attribute (
     PRIMARY KEY (line_id, attribute_index)
 ) STRICT, WITHOUT ROWID;
 ALTER TABLE run ADD COLUMN line_id INTEGER REFERENCES map_line;
+CREATE TABLE frame (
+    run_id INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index INTEGER NOT NULL,
+    time_s REAL NOT NULL,
+    x_low_m REAL NOT NULL,
+    x_step_m REAL NOT NULL,
+    y_low_m REAL NOT NULL,
+    y_step_m REAL NOT NULL,
+    speed_low_m_s REAL NOT NULL,
+    speed_step_m_s REAL NOT NULL,
+    pressure_low_pa REAL NOT NULL,
+    pressure_step_pa REAL NOT NULL,
+    x BLOB NOT NULL,
+    y BLOB NOT NULL,
+    speed BLOB NOT NULL,
+    pressure BLOB NOT NULL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT;
 )"},
     };
     return steps;

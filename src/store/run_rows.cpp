@@ -254,6 +254,12 @@ std::vector<StoredRun> select_runs(Database& database, long run_id) {
     return read_runs(database, statement);
 }
 
+std::vector<StoredRun> select_runs_on_section(Database& database, long section_id) {
+    Statement statement(database, select_runs_sql("WHERE section.section_id = ?"));
+    statement.bind(1, section_id);
+    return read_runs(statement);
+}
+
 std::optional<long> select_run_of(Database& database, const std::string& scenario_hash) {
     Statement statement(database,
                         "SELECT max(run.run_id) FROM run JOIN scenario USING (scenario_id)"
