@@ -2,6 +2,7 @@
 
 #include "validation/back_analysis.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -92,7 +93,7 @@ TEST_F(BackAnalysisTest, RefusesNumbersThatAreNoneAndTooManyCombinations) {
     EXPECT_TRUE(contains(refusal_to_read(), "firmness")) << "a number needs one";
     write("observed.csv", "quantity,low,high,source,firmness\n");
     std::string many = "0";
-    for (int i = 1; i < 40; ++i) many += "|" + std::to_string(i);
+    for (int i = 1; i < 40; ++i) many += fmt::format("|{}", i);
     write("ranges.csv", "key,values,source,firmness\nmaterial.friction_angle_deg," + many +
                             ",x,found\nsource.base_angle_deg," + many + ",x,found\n");
     const BackAnalysis analysis = read_back_analysis(folder);

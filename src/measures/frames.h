@@ -10,8 +10,8 @@ namespace runout {
 
 /// Keeps pictures of the moving mass at equal steps of simulated time, for people to look at. Since nobody
 /// knows when a run ends, the step doubles, and every second picture goes, each time there are more than
-/// `most`; a run so ends with between half of `most` and `most` of them, and two at least. Of many particles a part is kept,
-/// always the same, spread evenly.
+/// `most`; a run so ends with between half of `most` and `most` of them, and two at least. Of many particles
+/// a part is kept, always the same, spread evenly.
 class FrameRecorder {
   public:
     /// `most`: pictures; 0 keeps none. `interval`: between the first of them, s.

@@ -48,7 +48,7 @@ double number_of(const StoredValue& value) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string text_of(const StoredValue& value) {
+std::string stored_text(const StoredValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
     if (const auto* count = std::get_if<long>(&value)) return std::to_string(*count);
     if (const auto* text = std::get_if<std::string>(&value)) return *text;

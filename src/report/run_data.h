@@ -34,7 +34,7 @@ StoredValue cell_of(const StoredTable& table, const std::vector<StoredValue>& ro
 /// A value as a number; NaN for anything else.
 double number_of(const StoredValue& value);
 /// A value as text, as short as it can be read back; empty for nothing.
-std::string text_of(const StoredValue& value);
+std::string stored_text(const StoredValue& value);
 
 /// The name that a run is shown by.
 std::string run_title(const StoredRun& run);

@@ -10,7 +10,7 @@ namespace {
 std::map<double, std::string> gauge_names(const StoredTable& gauges) {
     std::map<double, std::string> names;
     for (const auto& row : gauges.rows)
-        names[number_of(cell_of(gauges, row, "gauge_index"))] = text_of(cell_of(gauges, row, "name"));
+        names[number_of(cell_of(gauges, row, "gauge_index"))] = stored_text(cell_of(gauges, row, "name"));
     return names;
 }
 

@@ -78,7 +78,7 @@ std::string numerical_error_words(const RunData& run) {
     if (std::isfinite(run_out)) words = fmt::format("run-out ± {:.2g} m", run_out);
     if (std::isfinite(angle))
         words += fmt::format("{}reach angle ± {:.2g} deg", words.empty() ? "" : ", ", angle);
-    const std::string note = text_of(fact_of(run, "run", "error_note"));
+    const std::string note = stored_text(fact_of(run, "run", "error_note"));
     return note.empty() ? words : words + "; " + note;
 }
 

@@ -34,7 +34,7 @@ std::vector<EffectKey> effect_keys() {
 
 std::string short_text(const StoredValue& value) {
     const double number = number_of(value);
-    return std::isfinite(number) ? html_number(number) : text_of(value);
+    return std::isfinite(number) ? html_number(number) : stored_text(value);
 }
 
 /// "angle 25 deg, ...", empty when the case does not name the effect.
@@ -67,9 +67,9 @@ std::vector<HtmlRow> stored_effects(const StoredTable& table) {
     std::vector<HtmlRow> rows;
     for (const auto& row : table.rows) {
         const double cost = number_of(cell_of(table, row, "cost_s"));
-        rows.push_back(effect_row(with_spaces(text_of(cell_of(table, row, "effect"))),
+        rows.push_back(effect_row(with_spaces(stored_text(cell_of(table, row, "effect"))),
                                   number_of(cell_of(table, row, "is_on")) == 1,
-                                  text_of(cell_of(table, row, "why"))));
+                                  stored_text(cell_of(table, row, "why"))));
         rows.back().push_back(number_cell(cost, 3));
     }
     return rows;

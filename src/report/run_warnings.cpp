@@ -54,7 +54,8 @@ std::vector<std::string> run_warnings(const RunData& run) {
         warnings.emplace_back(
             "Friction was explicit, as the paper printed it: heaps creep, and deposits come out too flat.");
     if (const StoredTable* advice = further_table(run, "advice"); advice != nullptr)
-        for (const auto& row : advice->rows) warnings.push_back(text_of(cell_of(*advice, row, "sentence")));
+        for (const auto& row : advice->rows)
+            warnings.push_back(stored_text(cell_of(*advice, row, "sentence")));
     return warnings;
 }
 

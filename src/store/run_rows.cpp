@@ -257,7 +257,7 @@ std::vector<StoredRun> select_runs(Database& database, long run_id) {
 std::vector<StoredRun> select_runs_on_section(Database& database, long section_id) {
     Statement statement(database, select_runs_sql("WHERE section.section_id = ?"));
     statement.bind(1, section_id);
-    return read_runs(statement);
+    return read_runs(database, statement);
 }
 
 std::optional<long> select_run_of(Database& database, const std::string& scenario_hash) {

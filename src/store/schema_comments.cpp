@@ -17,7 +17,8 @@ SchemaComments schema_comments(const std::string& sql) {
     std::smatch found;
     for (std::string line; std::getline(lines, line);) {
         if (std::regex_match(line, found, comment_line)) {
-            above += (above.empty() ? "" : " ") + found[1].str();
+            if (!above.empty()) above += ' ';
+            above += found[1].str();
         } else if (std::regex_match(line, found, table_line)) {
             table = found[1];
             comments.tables[table] = above;
