@@ -145,7 +145,8 @@ void set_map_line(Database& database, long run_id, const MapLine& line) {
 
 std::vector<Attribute> select_attributes(Database& database, long run_id) {
     Statement statement(database,
-                        "SELECT name, value FROM map_line_attribute JOIN run USING (line_id) WHERE run_id = ?"
+                        "SELECT map_line_attribute.name, value FROM map_line_attribute JOIN run USING "
+                        "(line_id) WHERE run_id = ?"
                         " ORDER BY attribute_index");
     statement.bind(1, run_id);
     std::vector<Attribute> attributes;
