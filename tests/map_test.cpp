@@ -32,7 +32,9 @@ Scene scene_on(const MapLine& line, bool mirrored = false) {
         for (auto p = points.rbegin(); p != points.rend(); ++p) reversed.emplace_back(80 - p->x(), p->y());
         points = reversed;
     }
-    scene.profile = make_profile(points, {}, "dem.tif along lines.gpkg", {});
+    ProfileOptions options;
+    options.toe_chainage_m = mirrored ? 50 : 30;
+    scene.profile = make_profile(points, {}, "dem.tif along lines.gpkg", options);
     SourceSpec wedge;
     wedge.base_angle = radians(30);
     wedge.scarp_angle = radians(80);
@@ -153,7 +155,8 @@ TEST_F(ResultMapTest, DebrisThatDoesNotPassTheToeEndsWhereItsDepositDoes) {
         result.measures.front_thickness_m = 0.85;
         return result;
     }());
-    const MapFeature& point = layer(map(), "runout_extent").features.at(0);
+    const ResultMap made = map();
+    const MapFeature& point = layer(made, "runout_extent").features.at(0);
     EXPECT_EQ(std::get<double>(value(point, "chainage_m")), 24);
     EXPECT_EQ(point.points.at(0), Vec2(834000, 816076));
 }

@@ -19,6 +19,7 @@ const runAnimation = (() => {
     pressure: bytesOf(frame.pressure),
   }));
   const end = frames[frames.length - 1].time, start = frames[0].time;
+  const steps = 500, step = (end - start) / steps || 1;  // of the slider
 
   // Layers of equal content, by height above the ends of the source's bed at the start.
   const layers = (() => {
@@ -144,7 +145,7 @@ const runAnimation = (() => {
     if (data.deposit.length > 0) drawOutline(data.deposit, [], false);
     drawScaleBar();
     clock.textContent = `${time.toFixed(2)} s of ${end.toFixed(2)} s`;
-    slider.value = time;
+    slider.value = Math.round((time - start) / step);
     slider.setAttribute("aria-valuetext", `${time.toFixed(2)} seconds`);
     stage.dataset.time = time;
   }
@@ -188,11 +189,12 @@ const runAnimation = (() => {
     draw();
   }
 
-  slider.min = start;
-  slider.max = end;
-  slider.step = (end - start) / 500 || 1;
+  // Whole steps: the last one is the end, which a fraction would miss by its rounding.
+  slider.min = 0;
+  slider.max = steps;
+  slider.step = 1;
   playButton.addEventListener("click", () => (playing ? pause() : play()));
-  slider.addEventListener("input", () => { pause(); seek(parseFloat(slider.value)); });
+  slider.addEventListener("input", () => { pause(); seek(slider.value < steps ? start + slider.value * step : end); });
   field.addEventListener("change", () => { drawScale(); draw(); });
   const refit = () => { fit(); draw(); };
   window.addEventListener("resize", refit);
