@@ -495,8 +495,10 @@ void expect_sound_case(const fs::path& file) {
     const std::string folder = file.parent_path().filename().string();
     for (const Scene& scene : scenes) {
         EXPECT_EQ(scene.name.substr(0, scene.name.find('-')), folder.substr(0, folder.find('-')));
-        // Of many sections, height and place of the source follow from each; of a back-analysis, from its ranges.
-        EXPECT_TRUE(scene.assumed.empty() || scenes.size() > 1 || fs::exists(file.parent_path() / "ranges.csv"));
+        // Of many sections, height and place of the source follow from each; of a back-analysis, from its
+        // ranges.
+        EXPECT_TRUE(scene.assumed.empty() || scenes.size() > 1 ||
+                    fs::exists(file.parent_path() / "ranges.csv"));
         EXPECT_GT(scene.source.area, 0);
     }
 }
