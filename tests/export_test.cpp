@@ -14,7 +14,8 @@ namespace {
 class ExportTest : public StoreTest {
   protected:
     RunData stored(const RunResult& result) {
-        return read_run_data(Store(path, Store::Mode::read), add(example_scene(), result));
+        const long id = add(example_scene(), result);
+        return read_run_data(Store(path, Store::Mode::read), id);
     }
 };
 
