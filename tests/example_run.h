@@ -41,6 +41,7 @@ inline RunResult example_result() {
                    .pressure_iterations = 30004,
                    .wall_guard_activations = 5,
                    .highest_density_ratio = 1.021,
+                   .spared_share = 0.25,
                    .simulated_s = 4.7,
                    .wall_s = 2.3,
                    .cpu_s = 4.4,
@@ -50,6 +51,9 @@ inline RunResult example_result() {
     result.phases = {{"pressure", 1.5}, {"friction", 0.6}};
     result.snapshots = {{0.25, {1.5F, 2.25F}, {0.5F, 0.1F}, {3.3F, -1.0F}, {0.0F, 7.0F}, {1e5F, 0.3F}},
                         {0.5, {}, {}, {}, {}, {}}};
+    result.frames = {
+        {{0.1, -7.5, 0.5, 0.25, 0.125, 0.1, 0.02, 3.5, 700.5}, {0, 65535}, {7, 9}, {255, 1}, {0, 254}},
+        {{0.2, -7.5, 0.5, 0.25, 0.125, 0.1, 0.02, 3.5, 700.5}, {2, 60000}, {8, 9}, {25, 3}, {1, 200}}};
     result.stages = {{1.1, 2.2, 30.3, 4.4, 5.5}, {1.2, 2.3, 30.4, 4.5, 5.6}};
     return result;
 }

@@ -6,6 +6,7 @@
 #include "engine/node_array.h"
 #include "engine/operators.h"
 #include "engine/parallel.h"
+#include "engine/strain_rate.h"
 
 namespace runout {
 
@@ -36,17 +37,31 @@ void Friction::load(const Neighbours& n, const Soil& soil, const Wall& wall) {
     }
 }
 
-/// |e| of the velocity at the start of the step.
-void Friction::find_strain_rate(const Neighbours& n) {
+/// |e| of the velocity at the start of the step. A boundary particle has the mean rate of the soil on it.
+void Friction::find_strain_rate(const Neighbours& n, const Soil& soil, const Wall& wall, const BedLine& bed) {
     strain_rate_.assign(n.nodes, 0.0);
-    const auto note = [&](int i, const VelocityGradient& plain) {
-        const VelocityGradient g = plain.corrected(n, i);
-        strain_rate_[i] = std::hypot(g.exx(), g.exy());
-    };
-    for_each_block(static_cast<int>(n.blocks.size()), threads_,
-                   [&](int b) { for_each_velocity_gradient(n.blocks[b], n, velocity_.data(), note); });
-    for (int a = 0; a < n.active_count(); ++a)
-        note(n.first_boundary + a, boundary_velocity_gradient(n, a, velocity_.data()));
+    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
+        for_each_velocity_gradient(
+            n.blocks[b], n, velocity_.data(), [&](int i, const VelocityGradient& plain) {
+                VelocityGradient g = plain;
+                if (n.nearest_boundary[i] >= 0) {
+                    const BedLine::Nearest near =
+                        bed.nearest({soil.x[i], soil.y[i]}, wall.segment[n.nearest_boundary[i]], 8);
+                    g = gradient_without_slip(n.blocks[b], n, soil, i, plain, near, discretisation_.spacing);
+                }
+                g = g.corrected(n, i);
+                strain_rate_[i] = std::hypot(g.exx(), g.exy());
+            });
+    });
+    for (int a = 0; a < n.active_count(); ++a) {
+        double sum = 0.0;
+        double weight = 0.0;
+        for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) {
+            sum += n.boundary_pairs[k].stiffness * strain_rate_[n.boundary_pairs[k].soil];
+            weight += n.boundary_pairs[k].stiffness;
+        }
+        if (weight > 0.0) strain_rate_[n.first_boundary + a] = sum / weight;
+    }
 }
 
 void Friction::save(const Neighbours& n, Soil& soil, Wall& wall) const {
@@ -165,7 +180,7 @@ void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const Fricti
                        std::vector<double>& vx, std::vector<double>& vy) {
     static const std::vector<double> dry;
     load(n, soil, wall);
-    if (yield_.depends_on_rate()) find_strain_rate(n);
+    if (yield_.depends_on_rate()) find_strain_rate(n, soil, wall, *step.bed);
     yield_.find(n, pressure_, step.pore_pressure != nullptr ? *step.pore_pressure : dry, strain_rate_,
                 strength_);
     const double dt = step.dt;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/bed_line.h"
 #include "engine/neighbours.h"
 #include "engine/soil.h"
 #include "engine/wall.h"
@@ -16,6 +17,7 @@ struct FrictionStep {
     Vec2 body{0, 0};     ///< acceleration by gravity and whatever shakes, m/s2
     int iterations = 0;  ///< of the projected scheme; 0: as set for the run
     const std::vector<double>* pore_pressure = nullptr;  ///< per node, Pa; null: dry
+    const BedLine* bed = nullptr;  ///< looked at where strength depends on the rate
 };
 
 /// Deviatoric stress of Coulomb soil and the velocity it allows.
@@ -39,7 +41,7 @@ class Friction {
 
   private:
     void load(const Neighbours& n, const Soil& soil, const Wall& wall);
-    void find_strain_rate(const Neighbours& n);
+    void find_strain_rate(const Neighbours& n, const Soil& soil, const Wall& wall, const BedLine& bed);
     void save(const Neighbours& n, Soil& soil, Wall& wall) const;
     void apply_pressure(const Neighbours& n, const Soil& soil, const FrictionStep& step);
     void rotate(const Neighbours& n, double dt);

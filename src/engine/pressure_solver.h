@@ -45,8 +45,13 @@ class PressureSolver {
     PressureSolver(const Discretisation& discretisation, double gravity, double length, double tolerance,
                    int threads);
 
-    /// Lets soil that has neighbours all round bear a mean tension, Pa. Without it none does.
-    void bear_tension(double tension) { tension_ = tension; }
+    /// For cohesive soil, which bears a mean tension, Pa, and whose surface is free of traction without being
+    /// free of pressure: the ghosts of a free surface get p = -n.s.n. Without cohesion p = 0 there says the
+    /// same, since |s| <= p sin(phi).
+    void bear_tension(double tension) {
+        tension_ = tension;
+        cohesive_ = true;
+    }
 
     /// The wall is another one from now on.
     void forget_wall() { wall_aggregate_.clear(); }
@@ -62,6 +67,7 @@ class PressureSolver {
     void set_up(const Neighbours& n, const Soil& soil, const Wall& wall);
     void set_right_hand_side(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
                              const std::vector<double>& vy, const PressureStep& step);
+    void free_surface_of_traction(const Neighbours& n, const Soil& soil, double memory);
     void refresh_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall);
     double multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x,
                     std::vector<double>& out);
@@ -78,6 +84,7 @@ class PressureSolver {
     double relaxation_time_;  ///< s, least time in which excess density is worked off
     double tolerance_;
     double tension_ = 0;
+    bool cohesive_ = false;
     int threads_;
 
     CoarseLevel coarse_;

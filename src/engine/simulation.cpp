@@ -131,13 +131,10 @@ void Simulation::step() {
     search_.sort(soil_);
     search_.find(soil_, wall_, neighbours_);
     const double dt = choose_time_step();
-    clock_.enter(Phase::friction);
-    friction_.predict(neighbours_, soil_, wall_, friction_step(dt), predicted_vx_, predicted_vy_);
-    clock_.enter(Phase::pressure);
-    const PressureSolve solve =
-        pressure_.solve(neighbours_, soil_, wall_, predicted_vx_, predicted_vy_, {.dt = dt});
+    const PressureSolve solve = in_free_flight() ? fly(dt) : resist(dt);
     clock_.enter(Phase::motion);
     correct(dt);
+    if (filter_) friction_work_ += discretisation_.mass() * filter_->apply(neighbours_, wall_, bed_, soil_);
     if (effects_.side_walls) brake(dt);
     move(dt);
     if (effects_.cohesion && effects_.cohesion->strength > 0.0) even_out();
@@ -148,11 +145,23 @@ void Simulation::step() {
 
     time_ += dt;
     ++work_.steps;
+    work_.particle_steps += soil_.count;
     work_.pressure_iterations += solve.iterations;
     highest_pressure_ = solve.highest;
     unconverged_in_a_row_ = solve.converged ? 0 : unconverged_in_a_row_ + 1;
     work_.unconverged_solves += solve.converged ? 0 : 1;
     judge();
+}
+
+/// Friction and pressure. On return the predicted velocity and the pressure gradient are there for the corrector.
+PressureSolve Simulation::resist(double dt) {
+    clock_.enter(Phase::friction);
+    friction_.predict(neighbours_, soil_, wall_, friction_step(dt), predicted_vx_, predicted_vy_);
+    clock_.enter(Phase::pressure);
+    const PressureSolve solve =
+        pressure_.solve(neighbours_, soil_, wall_, predicted_vx_, predicted_vy_, {.dt = dt});
+    find_pressure_gradient();
+    return solve;
 }
 
 /// The least of three limits: the Courant step of eq. 6; the same for the speed that gravity adds within the
@@ -178,7 +187,7 @@ double Simulation::choose_time_step() {
 }
 
 FrictionStep Simulation::friction_step(double dt, int iterations) {
-    FrictionStep step{.dt = dt, .body = body_acceleration(), .iterations = iterations};
+    FrictionStep step{.dt = dt, .body = body_acceleration(), .iterations = iterations, .bed = &bed_};
     if (pore_water_) {
         const Stopwatch watch(cost_of("pore_pressure"));
         pore_water_->find(neighbours_, soil_, wall_, bed_, time_, pore_pressure_);
@@ -198,7 +207,6 @@ void Simulation::find_pressure_gradient() {
 /// booked.
 void Simulation::correct(double dt) {
     const double scale = dt / discretisation_.density;
-    find_pressure_gradient();
     const Vec2 gain = dt * body_acceleration();
     const auto update = [&](int first, int last) {
         StepWork work;

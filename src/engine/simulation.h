@@ -17,6 +17,7 @@
 #include "engine/soil.h"
 #include "engine/state_view.h"
 #include "engine/status.h"
+#include "engine/velocity_filter.h"
 #include "engine/wall.h"
 #include "scene/scene.h"
 
@@ -28,6 +29,8 @@ struct WorkCounts {
     long pressure_iterations = 0;
     long wall_guard_activations = 0;
     long unconverged_solves = 0;
+    double particle_steps = 0;
+    double spared_particle_steps = 0;  ///< in free flight, without friction and pressure
     double highest_density = 0;  ///< rho / rho_0, over particles of the body and all instants
 };
 
@@ -120,6 +123,9 @@ class Simulation {
     [[nodiscard]] double choose_time_step();
     [[nodiscard]] FrictionStep friction_step(double dt, int iterations = 0);
     void find_pressure_gradient();
+    [[nodiscard]] bool in_free_flight() const;
+    PressureSolve fly(double dt);
+    PressureSolve resist(double dt);
     void correct(double dt);
     void move(double dt);
     void guard_wall();
@@ -156,6 +162,7 @@ class Simulation {
     std::vector<double> pore_pressure_;  ///< per node, Pa
     std::optional<GroundMotion> ground_motion_;
     std::optional<BarrierLoad> barrier_;
+    std::optional<VelocityFilter> filter_;
     int first_layer_id_ = 0;  ///< of the soil of an erodible layer, which is packed after the source
     int end_layer_id_ = 0;
     std::vector<char> layer_moved_;    ///< by id since first_layer_id_

@@ -22,7 +22,10 @@ constexpr double moved_spacings = 2.0;  // that soil of the bed must move to cou
 }  // namespace
 
 void Simulation::set_up_effects() {
-    pressure_.bear_tension(tension_cut_off(material_, effects_));
+    if (effects_.cohesion && effects_.cohesion->strength > 0.0)
+        pressure_.bear_tension(tension_cut_off(material_, effects_));
+    const bool cohesive = effects_.cohesion && effects_.cohesion->strength > 0.0;
+    if (cohesive || (effects_.rate && effects_.rate->increase != 0.0)) filter_.emplace(discretisation_);
     if (effects_.erodible_bed) {
         Source layer;
         layer.outline = layer_outline(ground_.points(), *effects_.erodible_bed);

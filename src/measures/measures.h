@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -63,6 +64,23 @@ struct Snapshot {
     std::vector<float> x_m, y_m;
     std::vector<float> vx_m_s, vy_m_s;
     std::vector<float> pressure_pa;
+};
+
+/// How the numbers of a frame are coded: value = low + code * step.
+struct FrameScale {
+    double time_s = 0;
+    double x_low_m = 0, x_step_m = 0;
+    double y_low_m = 0, y_step_m = 0;
+    double speed_low_m_s = 0, speed_step_m_s = 0;
+    double pressure_low_pa = 0, pressure_step_pa = 0;
+};
+
+/// A picture of the moving mass, local frame: six bytes a particle, enough to look at and not to compute
+/// with. One value per shown particle, the same ones in every frame, in the order they were packed.
+struct Frame {
+    FrameScale scale;
+    std::vector<std::uint16_t> x, y;
+    std::vector<std::uint8_t> speed, pressure;
 };
 
 /// The heap at rest after one release of a staged run; the first row is the source alone.
@@ -135,6 +153,7 @@ struct RunWork {
     long pressure_iterations = 0;  ///< CG iterations, all steps
     long wall_guard_activations = 0;
     double highest_density_ratio = 0;  ///< densest particle at any instant / rho_0
+    double spared_share = 0;  ///< of the particle steps: in free flight, without friction and pressure
     double simulated_s = 0;
     double wall_s = 0;
     double cpu_s = 0;
@@ -157,6 +176,7 @@ struct RunResult {
     std::vector<DepositRow> deposit;
     std::vector<PhaseTime> phases;
     std::vector<Snapshot> snapshots;
+    std::vector<Frame> frames;     ///< empty unless asked for in RunControl
     std::vector<StageRow> stages;  ///< empty unless the release is staged
     std::vector<GaugeRecord> gauges;
     std::vector<BarrierRecord> barriers;  ///< one, or none

@@ -13,6 +13,7 @@
 #include "measures/advice.h"
 #include "measures/barrier.h"
 #include "measures/deposit.h"
+#include "measures/frames.h"
 #include "measures/gauges.h"
 #include "measures/series.h"
 #include "measures/snapshots.h"
@@ -25,6 +26,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double samples_per_time_scale = 20.0;
 constexpr double looks_per_time_scale = 4.0;  // for advice: each costs a sum over pairs
+constexpr double first_frames_per_time_scale = 20.0;
 constexpr double progress_period_s = 0.1;
 
 double seconds_since(Clock::time_point start) {
@@ -118,6 +120,8 @@ RunWork work_of(const Simulation& simulation) {
     work.pressure_iterations = counts.pressure_iterations;
     work.wall_guard_activations = counts.wall_guard_activations;
     work.highest_density_ratio = counts.highest_density;
+    work.spared_share =
+        counts.particle_steps > 0 ? counts.spared_particle_steps / counts.particle_steps : 0.0;
     work.simulated_s = simulation.time();
     work.threads = simulation.threads();
     return work;
@@ -137,9 +141,10 @@ std::vector<EffectRow> effects_of(const Scene& scene, const Simulation& simulati
 /// Everything that is read off a run step by step.
 class Recorders {
   public:
-    Recorders(const Scene& scene, const Simulation& simulation)
+    Recorders(const Scene& scene, const Simulation& simulation, int frames)
         : series_(simulation.time_scale() / samples_per_time_scale),
           snapshots_(scene.run.snapshot_times),
+          frames_(frames, simulation.time_scale() / first_frames_per_time_scale),
           advisor_(scene, simulation.time_scale() / looks_per_time_scale) {
         const double interval = simulation.time_scale() / samples_per_time_scale;
         if (!scene.gauges.empty()) gauges_.emplace(scene.gauges, interval, front_threshold(scene));
@@ -151,6 +156,7 @@ class Recorders {
     void sample(const Simulation& simulation) {
         series_.sample(simulation);
         snapshots_.sample(simulation);
+        frames_.sample(simulation);
         advisor_.look(simulation);
         sample_gauges(simulation, false);
         if (barrier_) barrier_->sample(simulation);
@@ -158,10 +164,12 @@ class Recorders {
 
     void finish(const Simulation& simulation, const Profile& profile, RunResult& result) {
         series_.sample(simulation, true);
+        frames_.sample(simulation, true);
         sample_gauges(simulation, true);
         if (barrier_) barrier_->sample(simulation, true);
         result.series = series_.rows();
         result.snapshots = snapshots_.snapshots();
+        result.frames = frames_.frames();
         result.advice = advisor_.sentences();
         if (gauges_)
             result.gauges = gauges_->records([&](double x) { return profile.to_section({x, 0}).x(); });
@@ -180,6 +188,7 @@ class Recorders {
 
     SeriesRecorder series_;
     SnapshotRecorder snapshots_;
+    FrameRecorder frames_;
     Advisor advisor_;
     std::optional<GaugeRecorder> gauges_;
     std::optional<BarrierRecorder> barrier_;
@@ -203,7 +212,7 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
     const double thread_start = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
     const double program_start = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
     Simulation simulation(scene);
-    Recorders recorders(scene, simulation);
+    Recorders recorders(scene, simulation, control.frames);
     RunResult result;
     double reported = -1.0;
     bool interrupted = false;

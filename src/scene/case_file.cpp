@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -249,7 +250,7 @@ class CaseReader {
 void resolve_paths(CaseSpec& spec) {
     const fs::path folder = fs::path(spec.file).parent_path();
     SectionSpec& section = spec.section;
-    for (std::string* path : {&section.file, &section.raster, &section.line, &spec.shaking_record})
+    for (std::string* path : {&section.file, &section.map.raster, &section.map.line.file, &spec.shaking_record})
         if (!path->empty()) *path = (folder / *path).lexically_normal().string();
 }
 
@@ -268,6 +269,13 @@ void read_toml(CaseSpec& spec) {
     resolve_paths(spec);
 }
 
+/// Which key a file stands for that is no case; empty if none.
+std::string section_key(const std::string& extension) {
+    constexpr std::array maps = {".gpkg", ".shp", ".geojson", ".fgb", ".gml", ".kml"};
+    if (extension == ".csv") return "section.file";
+    return std::ranges::find(maps, extension) != maps.end() ? "section.line" : "";
+}
+
 }  // namespace
 
 CaseSpec read_case(const std::string& path) {
@@ -276,12 +284,14 @@ CaseSpec read_case(const std::string& path) {
     const std::string extension = lower_extension(path);
     if (extension == ".toml") {
         read_toml(spec);
-    } else if (extension == ".csv") {
-        const InputPlace place{.file = path, .line = 0, .key = "section.file", .value = {}};
+    } else if (const std::string key = section_key(extension); !key.empty()) {
+        const InputPlace place{.file = path, .line = 0, .key = key, .value = {}};
         assign(spec, known_parameter(place), path, place);
     } else {
         read_text(path);  // a missing file is the likelier mistake, and says so
-        throw InputError(whole_file(path), "is neither a case nor a section", "give a .toml or a .csv file");
+        throw InputError(
+            whole_file(path), "is neither a case nor a section",
+            "give a .toml or a .csv file, or lines as .gpkg, .shp, .geojson, .fgb, .gml or .kml");
     }
     if (!spec.has("run.name")) spec.name = name_from(path);
     return spec;

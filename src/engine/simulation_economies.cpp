@@ -1,0 +1,51 @@
+// What a step leaves out where it is not needed; see docs/effects.md.
+
+#include <algorithm>
+
+#include "engine/node_array.h"
+#include "engine/operators.h"
+#include "engine/simulation.h"
+
+namespace runout {
+namespace {
+
+constexpr double no_pressure = 1e-6;     // of rho g sqrt(S)
+constexpr double no_compression = 1e-3;  // density above rho_0, or gained in sqrt(sqrt(S)/g)
+
+}  // namespace
+
+/// Nothing touches the bed, bears pressure or is being compressed: friction and pressure are then both nothing.
+/// Cohesive soil holds together by itself.
+bool Simulation::in_free_flight() const {
+    const double weight = discretisation_.density * run_.gravity * length_scale_;
+    if (!neighbours_.active.empty() || highest_pressure_ > no_pressure * weight) return false;
+    if (effects_.cohesion && effects_.cohesion->strength > 0.0) return false;
+    std::vector<FloatPair> velocity(neighbours_.nodes, FloatPair{});
+    for (int i = 0; i < soil_.count; ++i)
+        velocity[i] = {static_cast<float>(soil_.vx[i]), static_cast<float>(soil_.vy[i])};
+    std::vector<double> divergence(neighbours_.nodes, 0.0);
+    for (const PairBlock& block : neighbours_.blocks)
+        pair_kernels().velocity_divergence(pair_rows(block, neighbours_), velocity.data(), divergence.data());
+    for (int i = 0; i < soil_.count; ++i)
+        if (neighbours_.density[i] - 1.0 > no_compression || -divergence[i] * time_scale_ > no_compression)
+            return false;
+    return true;
+}
+
+/// As `resist`, where nothing does.
+PressureSolve Simulation::fly(double dt) {
+    const Vec2 gain = dt * body_acceleration();
+    set_all(predicted_vx_, neighbours_.nodes, 0.0);
+    set_all(predicted_vy_, neighbours_.nodes, 0.0);
+    for (int i = 0; i < soil_.count; ++i) {
+        predicted_vx_[i] = soil_.vx[i] + gain.x();
+        predicted_vy_[i] = soil_.vy[i] + gain.y();
+    }
+    for (auto* field : {&soil_.pressure, &soil_.sxx, &soil_.sxy, &force_x_, &force_y_, &wall_.pressure,
+                        &wall_.sxx, &wall_.sxy})
+        std::fill(field->begin(), field->end(), 0.0);
+    work_.spared_particle_steps += soil_.count;
+    return {.converged = true};
+}
+
+}  // namespace runout
