@@ -150,10 +150,9 @@ RunStatus status_of(const Scene& scene) {
     return simulation.status();
 }
 
-// Without friction the cut is known to stand up to 3.83 c/(rho g), with tension cracks at its crest up
-// to 2.67 (Terzaghi). Cracks is what the particles do: ours stands up to 2.8 to 3.1; see docs/effects.md.
-TEST(Cohesion, VerticalCutStandsAsHighAsACrackedOneAndFailsAboveTheKnownHeight) {
-    EXPECT_EQ(status_of(vertical_cut(0.0, 2.67, 20)), RunStatus::stable);
+// Without friction the cut is known to stand up to 3.83 c/(rho g).
+TEST(Cohesion, VerticalCutStandsUpToTheKnownHeightWithinATenth) {
+    EXPECT_EQ(status_of(vertical_cut(0.0, 0.9 * 3.83, 20)), RunStatus::stable);
     EXPECT_EQ(status_of(vertical_cut(0.0, 1.1 * 3.83, 20)), RunStatus::settled);
 }
 
@@ -167,7 +166,7 @@ TEST(Cohesion, WithFrictionTheHeightLiesBetweenDavisAndFullParameters) {
 }
 
 TEST(Rate, SteadyFlowHasBagnoldsProfile) {
-    constexpr int columns = 400;
+    constexpr int columns = 600;
     constexpr int rows = 10;
     const double height = rows * slab_spacing;
     const double slope = std::atan(0.45);
@@ -184,9 +183,9 @@ TEST(Rate, SteadyFlowHasBagnoldsProfile) {
                std::sqrt(g * std::cos(slope) * std::pow(height, 3)) * (1.0 - std::pow(1.0 - y / height, 1.5));
     };
     Simulation simulation(scene);
-    while (simulation.time() < 1.0) simulation.step();
+    while (simulation.time() < 2.0) simulation.step();
     const StateView state = simulation.state();
-    double miss = 0.0, all = 0.0;
+    double miss = 0.0, all = 0.0, worst = 0.0;
     for (std::size_t i = 0; i < state.x.size(); ++i) {
         const int column = state.id[i] / rows;
         if (column < 2 * columns / 5 || column >= 3 * columns / 5) continue;
@@ -194,8 +193,10 @@ TEST(Rate, SteadyFlowHasBagnoldsProfile) {
         const double u = state.vx[i] * std::cos(slope) - state.vy[i] * std::sin(slope);
         miss += u - exact(std::min(y, height));
         all += exact(std::min(y, height));
+        worst = std::max(worst, std::abs(u - exact(std::min(y, height))));
     }
     RecordProperty("mean_deviation", std::to_string(miss / all));
+    RecordProperty("worst_of_surface_speed", std::to_string(worst / exact(height)));
     EXPECT_LT(std::abs(miss / all), 0.03);
 }
 
@@ -377,6 +378,24 @@ TEST(Neutral, EqualsAbsentToTheBit) {
         if (std::string(choice.name) == "release") continue;  // shows after rest only
         EXPECT_NE(positions_at(changed, 0.4), absent) << choice.name;
     }
+}
+
+TEST(FreeFlight, NeedsNoFrictionAndNoPressureUntilItLands) {
+    Scene scene = scenes::aluminium_column(21.9, 0.01);
+    EXPECT_EQ(run_scene(scene).work.spared_share, 0.0) << "on the bed nothing is spared";
+    for (Vec2& corner : scene.source.outline) corner.y() += 0.5;
+    Simulation simulation(scene);
+    const std::vector<Vec2> start = positions_by_id(simulation);
+    while (simulation.time() < 0.2) simulation.step();
+    EXPECT_EQ(simulation.work().spared_particle_steps, simulation.work().particle_steps);
+    EXPECT_EQ(simulation.work().pressure_iterations, 0);
+    const std::vector<Vec2> now = positions_by_id(simulation);
+    const Vec2 fall = now[0] - start[0];
+    EXPECT_NEAR(fall.y(), -0.5 * g * std::pow(simulation.time(), 2), 0.03);
+    for (std::size_t i = 0; i < now.size(); ++i) EXPECT_LT((now[i] - start[i] - fall).norm(), 1e-9);
+    while (simulation.status() == RunStatus::running) simulation.step();
+    EXPECT_EQ(simulation.status(), RunStatus::settled) << simulation.status_detail();
+    EXPECT_LT(simulation.work().spared_particle_steps, 0.5 * simulation.work().particle_steps);
 }
 
 TEST(Combinations, EveryPairRunsToItsEndAndKeepsTheInvariants) {

@@ -100,8 +100,12 @@ std::string effect_lines(const StoredRun& run) {
 
 std::string work_line(const StoredRun& run) {
     const RunWork& w = run.work;
-    return fmt::format("{} particles of {:.3g} m, {} steps, {} ({} of CPU time).\n", w.particles,
-                       w.particle_spacing_m, w.steps, duration(w.wall_s), duration(w.cpu_s));
+    const std::string spared =
+        std::isfinite(w.spared_share)
+            ? fmt::format("; {:.3g} % of the particle steps spared in free flight", 100 * w.spared_share)
+            : "";
+    return fmt::format("{} particles of {:.3g} m, {} steps, {} ({} of CPU time){}.\n", w.particles,
+                       w.particle_spacing_m, w.steps, duration(w.wall_s), duration(w.cpu_s), spared);
 }
 
 std::string resolution_line(const StoredRun& run) {
