@@ -372,8 +372,10 @@ std::set<std::string> format_of(SQLite::Database& database) {
 /// What a program of version 1 would have written: the format as it is now without what later versions added.
 void take_back_to_version_one(SQLite::Database& database) {
     database.exec(
-        "ALTER TABLE run DROP COLUMN spared_share; ALTER TABLE run DROP COLUMN line_id; DROP TABLE map_line_point; DROP TABLE map_line_attribute;"
-        "DROP TABLE map_line; DROP TABLE snapshot; DROP TABLE stage; DROP TABLE frame; DROP TABLE effect_setting;"
+        "ALTER TABLE run DROP COLUMN spared_share; ALTER TABLE run DROP COLUMN line_id; DROP TABLE "
+        "map_line_point; DROP TABLE map_line_attribute;"
+        "DROP TABLE map_line; DROP TABLE snapshot; DROP TABLE stage; DROP TABLE frame; DROP TABLE "
+        "effect_setting;"
         "DROP TABLE run_effect; DROP TABLE advice; DROP TABLE gauge_series; DROP TABLE gauge;"
         "DROP TABLE barrier_series; DROP TABLE barrier; ALTER TABLE measure DROP COLUMN eroded_area_m2;"
         "PRAGMA user_version = 1");

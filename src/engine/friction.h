@@ -17,7 +17,7 @@ struct FrictionStep {
     Vec2 body{0, 0};     ///< acceleration by gravity and whatever shakes, m/s2
     int iterations = 0;  ///< of the projected scheme; 0: as set for the run
     const std::vector<double>* pore_pressure = nullptr;  ///< per node, Pa; null: dry
-    const BedLine* bed = nullptr;  ///< looked at where strength depends on the rate
+    const BedLine* bed = nullptr;                        ///< looked at where strength depends on the rate
 };
 
 /// Deviatoric stress of Coulomb soil and the velocity it allows.

@@ -153,7 +153,8 @@ void Simulation::step() {
     judge();
 }
 
-/// Friction and pressure. On return the predicted velocity and the pressure gradient are there for the corrector.
+/// Friction and pressure. On return the predicted velocity and the pressure gradient are there for the
+/// corrector.
 PressureSolve Simulation::resist(double dt) {
     clock_.enter(Phase::friction);
     friction_.predict(neighbours_, soil_, wall_, friction_step(dt), predicted_vx_, predicted_vy_);

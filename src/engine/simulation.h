@@ -31,7 +31,7 @@ struct WorkCounts {
     long unconverged_solves = 0;
     double particle_steps = 0;
     double spared_particle_steps = 0;  ///< in free flight, without friction and pressure
-    double highest_density = 0;  ///< rho / rho_0, over particles of the body and all instants
+    double highest_density = 0;        ///< rho / rho_0, over particles of the body and all instants
 };
 
 /// Mechanical energy per metre of width, J/m.

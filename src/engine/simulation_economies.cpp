@@ -14,8 +14,8 @@ constexpr double no_compression = 1e-3;  // density above rho_0, or gained in sq
 
 }  // namespace
 
-/// Nothing touches the bed, bears pressure or is being compressed: friction and pressure are then both nothing.
-/// Cohesive soil holds together by itself.
+/// Nothing touches the bed, bears pressure or is being compressed: friction and pressure are then both
+/// nothing. Cohesive soil holds together by itself.
 bool Simulation::in_free_flight() const {
     const double weight = discretisation_.density * run_.gravity * length_scale_;
     if (!neighbours_.active.empty() || highest_pressure_ > no_pressure * weight) return false;

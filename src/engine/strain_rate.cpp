@@ -7,7 +7,7 @@ namespace {
 
 /// Sums over the pairs of one row.
 struct Sums {
-    double wall_x = 0, wall_y = 0;        ///< V gradW over the wall, 1/m
+    double wall_x = 0, wall_y = 0;          ///< V gradW over the wall, 1/m
     double xx = 0, xy = 0, yx = 0, yy = 0;  ///< moments -V x gradW over the soil
 };
 
@@ -46,10 +46,8 @@ VelocityGradient gradient_without_slip(const PairBlock& block, const Neighbours&
     const Sums soil_sums = sums_of(block, n, soil, row);
     // n . M of the wall, M being the whole moment matrix less the soil's part.
     const Vec2& normal = near.normal;
-    const double wall_x =
-        normal.x() * (b3 / det - soil_sums.xx) + normal.y() * (-b2 / det - soil_sums.yx);
-    const double wall_y =
-        normal.x() * (-b1 / det - soil_sums.xy) + normal.y() * (b0 / det - soil_sums.yy);
+    const double wall_x = normal.x() * (b3 / det - soil_sums.xx) + normal.y() * (-b2 / det - soil_sums.yx);
+    const double wall_y = normal.x() * (-b1 / det - soil_sums.xy) + normal.y() * (b0 / det - soil_sums.yy);
     const double distance = std::max(near.distance, 0.25 * spacing);
     const double gx = soil_sums.wall_x + wall_x / distance;
     const double gy = soil_sums.wall_y + wall_y / distance;

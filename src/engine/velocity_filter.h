@@ -11,10 +11,11 @@
 namespace runout {
 
 /// Takes out of the motion what alternates from particle to particle. Gradients over a lattice do not see it
-/// (hourglass modes), so friction does not resist it; where soil shears long or holds by cohesion, rows lock in
-/// pairs and the stress turns striped. What the gradients explain is left alone: the exchange
+/// (hourglass modes), so friction does not resist it; where soil shears long or holds by cohesion, rows lock
+/// in pairs and the stress turns striped. What the gradients explain is left alone: the exchange
 ///   v_i += share sum_j w_ij (v_j - v_i - (G_i + G_j)/2 . (x_j - x_i)),   w_ij = k_ij / lattice sum of k,
-/// after the hourglass control of Ganzenmueller 2015, is 0 for any velocity quadratic in place and keeps momentum.
+/// after the hourglass control of Ganzenmueller 2015, is 0 for any velocity quadratic in place and keeps
+/// momentum.
 class VelocityFilter {
   public:
     explicit VelocityFilter(const Discretisation& discretisation) : discretisation_(discretisation) {}
