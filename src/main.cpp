@@ -20,6 +20,7 @@ constexpr const char* examples = R"(Examples:
   runout run case.toml --set material.friction_angle_deg=35 --db study.db --json
   runout source section.csv --source C --height 12 --area 60
   runout table runout.db --format csv
+  runout accuracy cases/box-70/case.toml --target 5%
   runout validate --quick
   runout help keys
 
@@ -51,9 +52,10 @@ bool names_no_subcommand(const CLI::App& app, const std::string& word) {
 int parse_failure(const CLI::App& app, const CLI::ParseError& error, const std::string& first_word) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
     if (!first_word.empty() && names_no_subcommand(app, first_word))
-        return fail(exit_code::input_error, "error",
-                    fmt::format("{} is not a subcommand; known are run, source, table, validate and help",
-                                first_word));
+        return fail(
+            exit_code::input_error, "error",
+            fmt::format("{} is not a subcommand; known are run, source, table, accuracy, validate and help",
+                        first_word));
     return fail(exit_code::input_error, "error", fmt::format("{}; see runout --help", error.what()));
 }
 
@@ -71,6 +73,7 @@ int run_program(int argc, char** argv) {
     add_run_command(app, command);
     add_source_command(app, command);
     add_table_command(app, command);
+    add_accuracy_command(app, command);
     add_validate_command(app, command);
     add_help_command(app, command);
     try {

@@ -337,6 +337,57 @@ TEST_F(ProgramTest, ASecondCtrlCEndsAtOnce) {
     EXPECT_EQ(child.wait().exit_code, 130);
 }
 
+// --- accuracy
+
+TEST_F(ProgramTest, ChoosesASpacingThatMeetsTheAccuracyAndSaysWhy) {
+    const Outcome outcome = runout({"run", "case.toml", "--accuracy", "40%", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "is expected to meet 40 %")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "expected to take")) << outcome.err;
+    const Json run = Json::parse(outcome.out);
+    EXPECT_EQ(run["accuracy_asked"], "40 %");
+    EXPECT_EQ(run["error_origin"], "pilot");
+    EXPECT_GT(run["run_out_error_m"].get<double>(), 0);
+    EXPECT_GT(run["expected_cpu_s"].get<double>(), 0);
+    const Store store(work("runout.db").string(), Store::Mode::read);
+    double pilot_work = 0;
+    for (const PilotRow& pilot : store.pilots(1)) pilot_work += pilot.particles * pilot.steps;
+    EXPECT_GT(pilot_work, 0);
+    EXPECT_LT(pilot_work, 0.5 * run["particles"].get<double>() * run["steps"].get<double>());
+}
+
+TEST_F(ProgramTest, RefusesAnAccuracyThatCannotBeMet) {
+    expect_refused({"run", "case.toml", "--accuracy", "0.0001%"},
+                   {"--accuracy", "run.accuracy = 0.0001%", "cannot be met", "% (", "CPU time"});
+    expect_refused({"run", "case.toml", "--accuracy", "5"}, {"--accuracy", "has no unit", "5%"});
+    expect_refused({"run", "case.toml", "--accuracy", "5%", "--resolution", "8"}, {"excludes"});
+    expect_refused({"accuracy", "case.toml", "--target", "no"}, {"--target = no", "percentage or a length"});
+    expect_refused({"accuracy", "case.toml", "--resolution", "8"},
+                   {"--resolution", "does not apply to a ladder"});
+    expect_refused({"accuracy"}, {"FILE"});
+    expect_refused({"accuracy", "case.toml", "--chart", "no/such/folder/a.svg"},
+                   {"--chart", "no/such/folder"});
+}
+
+TEST_F(ProgramTest, ShowsWhatAccuracyCostsAndUsesItForTheNextRun) {
+    const Outcome ladder = runout({"accuracy", "case.toml", "--target", "30%", "--lattices", "2", "--budget",
+                                   "30", "--chart", "chart.svg"});
+    ASSERT_EQ(ladder.exit_code, 0) << ladder.err;
+    for (const char* part :
+         {"sqrt(S)/dl", "The ladder ended because", "run-out, m: ", "% costs", "The target, 30 %"})
+        EXPECT_TRUE(contains(ladder.out, part)) << part << " in\n" << ladder.out;
+    EXPECT_TRUE(contains(text_of(work("chart.svg")), "<svg"));
+    const Json run = Json::parse(runout({"run", "case.toml", "--json"}).out);
+    EXPECT_EQ(run["error_origin"], "ladder");
+    EXPECT_EQ(run["choosing_cpu_s"], 0.0);
+    EXPECT_GT(run["run_out_error_m"].get<double>(), 0);
+
+    ASSERT_EQ(runout({"accuracy", "--db", "runout.db", "--page", "page.md"}).exit_code, 0);
+    EXPECT_TRUE(contains(text_of(work("page.md")), "# What accuracy costs in time"));
+    EXPECT_TRUE(fs::exists(work("page/case.svg")) || fs::exists(work("page/work.svg")));
+    expect_refused({"accuracy", "--db", "none.db", "--page", "page.md"}, {"none.db"});
+}
+
 // --- source and table
 
 TEST_F(ProgramTest, PrintsTheSourceOnly) {

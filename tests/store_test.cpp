@@ -222,17 +222,20 @@ TEST_F(StoreTest, ColumnsAreTheMembersOfTheResultStructs) {
 
     const auto run = columns_of(database, "run");
     const auto work = names_of({}, work_columns());
-    ASSERT_GE(run.size(), work.size());
-    EXPECT_EQ(std::vector<std::string>(run.end() - static_cast<std::ptrdiff_t>(work.size()), run.end()),
-              work);
+    EXPECT_FALSE(std::ranges::search(run, work).empty()) << "the counts stand side by side, in their order";
+    for (const auto& column : appraisal_numbers())
+        EXPECT_EQ(std::ranges::count(run, std::string(column.name)), 1) << column.name;
+    for (const auto& column : appraisal_texts())
+        EXPECT_EQ(std::ranges::count(run, std::string(column.name)), 1) << column.name;
+    EXPECT_EQ(columns_of(database, "pilot"), names_of({"run_id", "row_index"}, pilot_columns()));
 }
 
 TEST(Columns, NameEveryMemberOnce) {
     EXPECT_EQ(measure_fields().size() * sizeof(double), sizeof(Measures));
     // Fails to compile when a member is added: then it needs a column too.
     const auto& [particles, boundary, spacing, steps, iterations, guard, density, simulated, wall, cpu,
-                 threads] = RunWork{};
-    EXPECT_EQ(work_columns().size(), 11U);
+                 threads, memory] = RunWork{};
+    EXPECT_EQ(work_columns().size(), 12U);
     EXPECT_EQ(threads, 1);
 
     RunWork work;
@@ -241,6 +244,67 @@ TEST(Columns, NameEveryMemberOnce) {
     for (const WorkColumn& column : work_columns())
         std::visit([&](auto member) { EXPECT_EQ(work.*member - RunWork{}.*member, 1) << column.name; },
                    column.member);
+}
+
+TEST_F(StoreTest, KeepsTheErrorBarOfARunAndItsPilots) {
+    Store store(path, Store::Mode::write);
+    const Appraisal given = example_appraisal();
+    const long run_id =
+        store.add(example_scene(), example_result(), given, {example_pilot(), example_pilot()});
+    const long bare = store.add(example_scene(), example_result());
+    const StoredRun run = store.run(run_id);
+    for (const auto& column : appraisal_numbers())
+        EXPECT_EQ(run.appraisal.*column.value, given.*column.value) << column.name;
+    for (const auto& column : appraisal_texts())
+        EXPECT_EQ(run.appraisal.*column.value, given.*column.value) << column.name;
+    EXPECT_FALSE(run.machine.empty());
+    const std::vector<PilotRow> pilots = store.pilots(run_id);
+    ASSERT_EQ(pilots.size(), 2U);
+    for (const auto& column : pilot_columns())
+        EXPECT_EQ(pilots[1].*column.value, example_pilot().*column.value) << column.name;
+    EXPECT_EQ(store.run(bare).appraisal.error_origin, "none");
+    EXPECT_TRUE(std::isnan(store.run(bare).appraisal.run_out_error_m));
+    EXPECT_TRUE(store.pilots(bare).empty());
+}
+
+TEST_F(StoreTest, KnowsWhereAnErrorBarCanComeFrom) {
+    Appraisal guess = example_appraisal();
+    guess.error_origin = "guess";
+    Store store(path, Store::Mode::write);
+    EXPECT_ANY_THROW(store.add(example_scene(), example_result(), guess));
+    EXPECT_TRUE(store.runs().empty());
+}
+
+TEST_F(StoreTest, KeepsStudiesAndGivesTheLatestOfAQuestion) {
+    Store store(path, Store::Mode::write);
+    const long run_id = add(example_scene(), example_result());
+    StoredLadder ladder{.question_hash = "q", .name = "cut", .target = "5 %", .machine = "m"};
+    ladder.runs = {{"spacing", "8", 8, run_id}, {"run.courant", "0.2", 8, run_id}};
+    ladder.verdicts = {
+        {"run_out_m", "converged", 1.5, 0.1, 0.02, std::nan(""), 1.6, std::nan(""), 1.1, 1.55}};
+    const long first = store.add(ladder);
+    ladder.name = "cut again";
+    const long second = store.add(ladder);
+    ladder.question_hash = "other";
+    store.add(ladder);
+    EXPECT_EQ(store.ladders().size(), 3U);
+    EXPECT_FALSE(store.find_ladder("none"));
+    const StoredLadder found = store.find_ladder("q").value();
+    EXPECT_NE(first, second);
+    EXPECT_EQ(found.ladder_id, second);
+    EXPECT_EQ(found.name, "cut again");
+    EXPECT_FALSE(found.ended_utc.empty());
+    ASSERT_EQ(found.runs.size(), 2U);
+    EXPECT_EQ(found.runs[1].series, "run.courant");
+    EXPECT_EQ(found.runs[1].setting, "0.2");
+    EXPECT_EQ(found.runs[1].run_id, run_id);
+    ASSERT_EQ(found.verdicts.size(), 1U);
+    EXPECT_EQ(found.verdicts[0].fitted_value, 1.55);
+    EXPECT_TRUE(std::isnan(found.verdicts[0].observed_order));
+    EXPECT_EQ(raw()
+                  .execAndGet("SELECT lattices FROM ladder_rung WHERE ladder_id = 1 AND series = 'spacing'")
+                  .getInt(),
+              1);
 }
 
 TEST_F(StoreTest, KeepsSnapshotsToTheBitAndStages) {

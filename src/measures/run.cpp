@@ -10,6 +10,7 @@
 #include "core/units.h"
 #include "engine/simulation.h"
 #include "measures/deposit.h"
+#include "measures/peak_memory.h"
 #include "measures/series.h"
 #include "measures/snapshots.h"
 
@@ -130,6 +131,7 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
     const auto start = Clock::now();
     const double thread_start = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
     const double program_start = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+    const PeakMemory memory;
     Simulation simulation(scene);
     SeriesRecorder series(simulation.time_scale() / samples_per_time_scale);
     series.sample(simulation, true);
@@ -168,6 +170,7 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
         result.phases.push_back(
             {to_string(static_cast<Phase>(p)), simulation.clock().seconds(static_cast<Phase>(p))});
     }
+    result.work.peak_memory_mb = memory.megabytes();
     result.work.wall_s = seconds_since(start);
     // A run of one thread may have others beside it in the same program.
     result.work.cpu_s = simulation.threads() == 1 ? cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - thread_start

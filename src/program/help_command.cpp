@@ -42,7 +42,7 @@ std::string help_on(const CLI::App& app, const std::string& topic) {
     for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
         if (sub->get_name() == topic) return sub->help(app.get_name());
     throw InputError({.file = {}, .line = 0, .key = "help", .value = topic}, "is not a topic",
-                     "valid: keys, run, source, table, validate");
+                     "valid: keys, run, source, table, accuracy, validate");
 }
 
 }  // namespace

@@ -1,15 +1,19 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <cmath>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "accuracy/plan.h"
 #include "measures/run.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
 #include "program/interrupt.h"
 #include "program/progress_line.h"
+#include "report/ladder_text.h"
 #include "report/table.h"
 #include "report/time_table.h"
 #include "scene/scene.h"
@@ -24,10 +28,11 @@ struct RunArguments {
     bool store = true;
     bool json = false;
     bool quiet = false;
+    bool pilots = true;
+    double budget_s = 3600;
 };
 
-RunResult simulate(const Scene& scene, bool quiet) {
-    InterruptWatch interrupt;
+RunResult simulate(const Scene& scene, const InterruptWatch& interrupt, bool quiet) {
     ProgressLine line(quiet ? ProgressLine::Style::none : ProgressLine::style_of_stderr());
     RunControl control;
     control.on_progress = [&line](const Progress& progress) { line.show(progress); };
@@ -53,22 +58,64 @@ void log_ending(const RunResult& result) {
                  result.status_detail.empty() ? "" : ": ", result.status_detail);
 }
 
+bool says_how_fine(const CaseSpec& spec) {
+    return spec.has("run.resolution") || spec.has("run.particle_spacing_m");
+}
+
+/// What is to be run: the spacing that the case gives, or one that meets its accuracy.
+RunPlan plan_of(const CaseSpec& spec, const Scene& scene, const std::optional<Store>& store,
+                const RunArguments& arguments, const InterruptWatch& interrupt) {
+    PlanOptions options;
+    if (!says_how_fine(spec)) options.target = accuracy_target(spec.accuracy, spec.place("run.accuracy"));
+    if (spec.has("run.accuracy")) options.asked = spec.place("run.accuracy");
+    if (store) {
+        options.costs = costs_on_this_machine(*store);
+        if (const auto ladder = store->find_ladder(question_hash(scene)))
+            options.ladder = read_ladder(*ladder, *store);
+    }
+    options.longest_run_s = arguments.budget_s;
+    options.pilots = arguments.pilots;
+    options.interrupt = &interrupt.requested();
+    return plan_run(scene, options);
+}
+
+void log_plan(const RunPlan& plan) {
+    if (!plan.reason.empty()) spdlog::info("{}", plan.reason);
+    if (std::isfinite(plan.appraisal.expected_cpu_s))
+        spdlog::info("expected to take {} of CPU time", short_duration(plan.appraisal.expected_cpu_s));
+}
+
 int run(const RunArguments& arguments) {
     if (arguments.quiet) spdlog::set_level(spdlog::level::err);
-    const Scene scene = make_scene(case_from(arguments.scenario));
-    log_assumptions(scene.assumed);
+    const CaseSpec spec = case_from(arguments.scenario);
+    const Scene asked = make_scene(spec);
+    log_assumptions(asked.assumed);
 
     // A database that cannot take the run is found out now and not after an hour of work.
     std::optional<Store> store;
+    std::error_code ignored;
+    const bool existed = std::filesystem::exists(arguments.database, ignored);
     if (arguments.store) store.emplace(arguments.database, Store::Mode::write);
 
-    const RunResult result = simulate(scene, arguments.quiet);
+    const InterruptWatch interrupt;
+    RunPlan plan;
+    try {
+        plan = plan_of(spec, asked, store, arguments, interrupt);
+    } catch (const InputError&) {  // a target that cannot be met leaves nothing behind
+        store.reset();
+        if (arguments.store && !existed) std::filesystem::remove(arguments.database, ignored);
+        throw;
+    }
+    log_plan(plan);
+
+    const Scene& scene = plan.scene;
+    const RunResult result = simulate(scene, interrupt, arguments.quiet);
     log_ending(result);
 
-    StoredRun run = describe_run(scene, result);
+    StoredRun run = describe_run(scene, result, plan.appraisal);
     std::exception_ptr failure;
     try {
-        if (store) run = store->run(store->add(scene, result));
+        if (store) run = store->run(store->add(scene, result, plan.appraisal, plan.pilots));
     } catch (...) {
         failure = std::current_exception();  // a full disk must not cost the answer: print it first
     }
@@ -92,6 +139,17 @@ void add_run_command(CLI::App& app, Command& command) {
     sub->add_flag_callback(
            "--no-store", [arguments] { arguments->store = false; }, "Leave no trace but the answer")
         ->group("Output");
+    sub->add_flag_callback(
+           "--no-pilots", [arguments] { arguments->pilots = false; },
+           "No coarse runs beside a spacing that is given: no error bar and no expected time unless there is "
+           "a "
+           "ladder")
+        ->group("Accuracy");
+    sub->add_option("--budget", arguments->budget_s, "CPU time that a run may take whose spacing is chosen")
+        ->type_name("s")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str()
+        ->group("Accuracy");
     sub->add_flag("--json", arguments->json, "Print the answer as one JSON object")->group("Output");
     sub->add_flag("--quiet", arguments->quiet, "No progress, no log but errors")->group("Output");
     sub->callback([arguments, &command] { command = [arguments] { return run(*arguments); }; });

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/accuracy_target.h"
 #include "scene/parameters.h"
 
 namespace runout {
@@ -18,9 +19,11 @@ struct Rivals {
 };
 
 /// Two ways to say the same thing.
-constexpr std::array<Rivals, 2> rivals = {{
+constexpr std::array<Rivals, 4> rivals = {{
     {"section.file", "section.raster"},
     {"run.particle_spacing_m", "run.resolution"},
+    {"run.accuracy", "run.resolution"},
+    {"run.accuracy", "run.particle_spacing_m"},
 }};
 
 struct Companions {
@@ -90,6 +93,7 @@ void check_keys_go_together(const CaseSpec& spec) {
     check_companions(spec);
     check_source_keys(spec);
     check_friction_keys(spec);
+    accuracy_target(spec.accuracy, spec.place("run.accuracy"));
 }
 
 }  // namespace runout

@@ -8,6 +8,7 @@
 
 #include "core/input_error.h"
 #include "store/database.h"
+#include "store/ladder_rows.h"
 #include "store/run_rows.h"
 #include "store/write_scenario.h"
 
@@ -35,22 +36,49 @@ Store::Store(const std::string& path, Mode mode)
 
 Store::~Store() = default;
 
-long Store::add(const Scene& scene, const RunResult& result) {
+long Store::add(const Scene& scene, const RunResult& result, const Appraisal& appraisal,
+                const std::vector<PilotRow>& pilots) {
     if (impl_->mode == Mode::read)
         throw std::logic_error("Store::add on a store that was opened for reading");
     if (result.status == RunStatus::running) throw std::logic_error("Store::add of a run that has not ended");
     return impl_->with_database([&](SQLite::Database& database) {
         // Immediate: a second writer waits here, and not halfway, where SQLite could only refuse it.
         SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-        const long run_id = insert_run(database, scenario_row(database, scene), describe_run(scene, result));
+        const long run_id =
+            insert_run(database, scenario_row(database, scene), describe_run(scene, result, appraisal));
         insert_series(database, run_id, result.series);
         insert_deposit(database, run_id, result.deposit);
         insert_snapshots(database, run_id, result.snapshots);
         insert_stages(database, run_id, result.stages);
         insert_phases(database, run_id, result.phases);
+        insert_pilots(database, run_id, pilots);
         transaction.commit();
         return run_id;
     });
+}
+
+long Store::add(const StoredLadder& ladder) {
+    if (impl_->mode == Mode::read)
+        throw std::logic_error("Store::add on a store that was opened for reading");
+    return impl_->with_database([&](SQLite::Database& database) {
+        SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+        const long ladder_id = insert_ladder(database, ladder);
+        transaction.commit();
+        return ladder_id;
+    });
+}
+
+std::vector<StoredLadder> Store::ladders() const {
+    return impl_->with_database([](SQLite::Database& database) { return select_ladders(database); });
+}
+
+std::optional<StoredLadder> Store::find_ladder(const std::string& question_hash) const {
+    return impl_->with_database(
+        [&](SQLite::Database& database) { return select_ladder_of(database, question_hash); });
+}
+
+std::vector<PilotRow> Store::pilots(long run_id) const {
+    return impl_->with_database([=](SQLite::Database& database) { return select_pilots(database, run_id); });
 }
 
 std::vector<StoredRun> Store::runs() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,33 @@ namespace runout {
 /// Identity of a scenario: SHA-256 (hex) over everything that determines its result (ground, source,
 /// material, run settings that change numbers, program version); not names, paths, thread count.
 std::string scenario_hash(const Scene& scene);
+
+/// A coarse run of the same scenario that was made for another run's spacing and error bar.
+struct PilotRow {
+    double resolution = 0;  ///< sqrt(S) / particle spacing
+    double lattice_seed = 0;
+    double run_out_m = 0;  ///< NaN, as the other measures, when it did not end as a result
+    double reach_angle_deg = 0;
+    double deposit_height_m = 0;
+    double particles = 0;
+    double steps = 0;
+    double pressure_iterations = 0;
+    double cpu_s = 0;
+};
+
+/// How sure the numbers of a run are as numbers, what that was found from, and what the run was expected to
+/// take.
+struct Appraisal {
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+    std::string accuracy_asked;              ///< "5 %"; empty: the spacing was given
+    double run_out_error_m = unknown;        ///< numerical uncertainty of the run-out, 95 %
+    double reach_angle_error_deg = unknown;  ///< and of the reach angle
+    std::string error_origin = "none";       ///< ladder, pilot or none
+    std::string error_note;                  ///< how they were found, one sentence
+    double expected_cpu_s = unknown;         ///< as the cost model foretold it
+    double choosing_cpu_s = 0;               ///< spent on pilots
+};
 
 /// One run with its scenario, as the tables and reports read it.
 struct StoredRun {
@@ -35,11 +63,47 @@ struct StoredRun {
     std::string status_detail;
     Measures measures;
     RunWork work;
+    std::string machine;  ///< processor and hardware threads
+    Appraisal appraisal;
 };
 
 /// The run that has just ended, by this program on this machine, as `Store::add` writes it. For telling the
 /// result when there is no database, or when it could not be written.
-StoredRun describe_run(const Scene& scene, const RunResult& result);
+StoredRun describe_run(const Scene& scene, const RunResult& result, const Appraisal& appraisal = {});
+
+/// One run of a study of what accuracy costs.
+struct LadderRun {
+    std::string series;   ///< what was varied; "spacing" for the ladder proper
+    std::string setting;  ///< its value, as in a case file
+    double resolution = 0;
+    long run_id = 0;
+};
+
+/// What a ladder says of one quantity; NaN where it says nothing. The columns of ladder_verdict.
+struct LadderVerdict {
+    std::string quantity;  ///< name of the measure
+    std::string verdict;
+    double finest_value = 0;
+    double uncertainty = 0;
+    double lattice_scatter = 0;
+    double observed_order = 0;
+    double richardson_value = 0;
+    double grid_convergence_index = 0;
+    double fitted_order = 0;
+    double fitted_value = 0;
+};
+
+/// A study of one question, as it is stored.
+struct StoredLadder {
+    long ladder_id = 0;         ///< 0: not stored
+    std::string question_hash;  ///< of all that determines the result but spacing and lattice
+    std::string name;
+    std::string ended_utc;  ///< empty: when it is stored
+    std::string target;
+    std::string machine;
+    std::vector<LadderRun> runs;
+    std::vector<LadderVerdict> verdicts;
+};
 
 /// The results database, format in db/schema.sql. One transaction a run, so nothing is ever half written; any
 /// number of programs may write one file.
@@ -58,7 +122,10 @@ class Store {
 
     /// Stores a run that has ended and returns its id. Throws InputError when the disk does not let it; the
     /// database is then as before.
-    long add(const Scene& scene, const RunResult& result);
+    long add(const Scene& scene, const RunResult& result, const Appraisal& appraisal = {},
+             const std::vector<PilotRow>& pilots = {});
+    /// Stores a study whose runs are stored, and returns its id.
+    long add(const StoredLadder& ladder);
 
     /// All runs in the order they were stored.
     [[nodiscard]] std::vector<StoredRun> runs() const;
@@ -71,6 +138,11 @@ class Store {
     [[nodiscard]] std::vector<PhaseTime> phases(long run_id) const;
     [[nodiscard]] std::vector<Snapshot> snapshots(long run_id) const;
     [[nodiscard]] std::vector<StageRow> stages(long run_id) const;
+    [[nodiscard]] std::vector<PilotRow> pilots(long run_id) const;
+    /// All studies in the order they were stored.
+    [[nodiscard]] std::vector<StoredLadder> ladders() const;
+    /// The latest study of this question.
+    [[nodiscard]] std::optional<StoredLadder> find_ladder(const std::string& question_hash) const;
 
   private:
     struct Impl;

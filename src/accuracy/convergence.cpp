@@ -1,0 +1,122 @@
+#include "accuracy/convergence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace runout {
+namespace {
+
+// Of 95 %, for a scatter that is normal.
+constexpr double coverage_factor = 2.0;
+constexpr std::size_t fewest_rungs = 3;
+constexpr int finer_spacings = 16;
+
+/// Pooled over the rungs, each with its degrees of freedom.
+double pooled_scatter(std::span<const RungValue> rungs) {
+    double squares = 0;
+    int freedom = 0;
+    for (const RungValue& rung : rungs) {
+        squares += (rung.lattices - 1) * rung.scatter * rung.scatter;
+        freedom += rung.lattices - 1;
+    }
+    return freedom > 0 ? std::sqrt(squares / freedom) : 0.0;
+}
+
+/// The mean differences between rungs, the finest last.
+struct Steps {
+    double last = 0, before = 0;
+    double ratio = 1;  ///< of the refinement of the last step
+    double noise = 0;  ///< of a difference between two means, 95 %
+};
+
+Steps last_steps(std::span<const RungValue> rungs, double scatter) {
+    const RungValue& fine = rungs[rungs.size() - 1];
+    const RungValue& medium = rungs[rungs.size() - 2];
+    const RungValue& coarse = rungs[rungs.size() - 3];
+    const int least = std::min({fine.lattices, medium.lattices, coarse.lattices});
+    return {fine.mean - medium.mean, medium.mean - coarse.mean, medium.spacing / fine.spacing,
+            coverage_factor * scatter * std::sqrt(2.0 / std::max(1, least))};
+}
+
+Verdict verdict_of(std::span<const RungValue> rungs, const Convergence& so_far, double target) {
+    if (so_far.uncertainty <= target) return Verdict::converged;
+    const Steps step = last_steps(rungs, so_far.scatter);
+    const double last = std::abs(step.last), before = std::abs(step.before);
+    if (std::max(last, before) <= so_far.scatter) return Verdict::floor_reached;
+    if (std::min(last, before) > step.noise && step.last * step.before < 0) return Verdict::oscillating;
+    if (last > step.noise && last >= before) return Verdict::not_converging;
+    return Verdict::refining;
+}
+
+}  // namespace
+
+std::string_view to_string(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::converged:
+            return "converged";
+        case Verdict::floor_reached:
+            return "floor reached";
+        case Verdict::oscillating:
+            return "oscillating";
+        case Verdict::not_converging:
+            return "not converging";
+        case Verdict::refining:
+            return "refining";
+        case Verdict::too_few_rungs:
+            return "too few rungs";
+    }
+    return "unknown";
+}
+
+std::string_view meaning(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::converged:
+            return "one run with the finest spacing is within the target";
+        case Verdict::floor_reached:
+            return "the last refinements changed less than the lattices scatter: a finer run buys nothing";
+        case Verdict::oscillating:
+            return "the last refinements went to and fro by more than the scatter: no trend to extrapolate";
+        case Verdict::not_converging:
+            return "the last refinement changed as much as the one before: no limit is in sight";
+        case Verdict::refining:
+            return "changes shrink with the spacing, but the target was not met when the ladder ended";
+        case Verdict::too_few_rungs:
+            return "fewer than three rungs have results: nothing can be said";
+    }
+    return "";
+}
+
+double error_bar(const Convergence& convergence, double spacing) {
+    if (!convergence.fit) return std::numeric_limits<double>::quiet_NaN();
+    const RefinementFit& fit = *convergence.fit;
+    // A fit with two terms may cross its limit: a zero there is chance, so no finer spacing may be worse.
+    double worst = 0;
+    for (int k = 1; k <= finer_spacings; ++k) {
+        const double finer = spacing * k / finer_spacings;
+        worst = std::max(worst, refinement_uncertainty(fit, finer, fit.at(finer)));
+    }
+    return std::hypot(worst, coverage_factor * convergence.scatter);
+}
+
+Convergence judge_convergence(std::span<const RungValue> rungs, double target) {
+    Convergence result;
+    result.uncertainty = std::numeric_limits<double>::quiet_NaN();
+    result.scatter = pooled_scatter(rungs);
+    if (!rungs.empty()) {
+        result.finest_value = rungs.back().mean;
+        result.finest_spacing = rungs.back().spacing;
+    }
+    if (rungs.size() < fewest_rungs) return result;
+    std::vector<GridValue> values;
+    for (const RungValue& rung : rungs) values.push_back({rung.spacing, rung.mean});
+    const std::size_t last = values.size() - 1;
+    result.finest_three = richardson({values[last], values[last - 1], values[last - 2]});
+    result.fit = fit_refinement(values);
+    result.uncertainty = error_bar(result, result.finest_spacing);
+    result.verdict = verdict_of(rungs, result, target);
+    return result;
+}
+
+}  // namespace runout
