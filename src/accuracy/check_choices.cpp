@@ -25,12 +25,14 @@ void check(const Scene& scene, const PlanOptions& options, const char* series, L
 
 }  // namespace
 
-void check_choices(const Scene& scene, Ladder& ladder, Store& store, const std::atomic<bool>* interrupt) {
+void check_choices(const Scene& scene, Ladder& ladder, Store& store, double longest_run_s,
+                   const std::atomic<bool>* interrupt) {
     const std::vector<SurveyedScene> others = without(shipped_survey(), scene.name);
     for (const double share : targets) {
         PlanOptions options;
         options.target = AccuracyTarget{share, 0};
         options.survey = &others;
+        options.longest_run_s = longest_run_s;
         options.interrupt = interrupt;
         check(scene, options, choice_series, ladder, store);
         options.ladder = ladder;

@@ -206,7 +206,7 @@ RunPlan plan_from_ladder(const Scene& scene, const PlanOptions& options) {
     RunPlan plan{scene, {}, {}, {}};
     double resolution = resolution_of(scene);
     if (options.target) {
-        const Price price = *price_of(ladder, *options.target);
+        const Price price = *price_of(ladder, *options.target, options.longest_run_s);
         if (!price.met && options.asked)
             refuse(*options.asked, price.error_m / reference_of(ladder).scale_m, reference_of(ladder).scale_m,
                    price.cost.cpu_s, "its ladder scatters more, or would have to be longer");

@@ -28,18 +28,21 @@ std::vector<double> offers(double coarsest, double finest) {
 
 }  // namespace
 
-std::optional<Price> price_of(const Ladder& ladder, const AccuracyTarget& target) {
+std::optional<Price> price_of(const Ladder& ladder, const AccuracyTarget& target, double longest_run_s) {
     const Convergence& run_out = ladder.convergence[0];
     const std::vector<CostSample> samples = costs_of(ladder);
     if (!run_out.fit || samples.empty()) return std::nullopt;
     const Reference reference = reference_of(ladder);
     const double root_area = ladder.rungs.front().spacing_m * ladder.rungs.front().resolution;
     const double allowed = target.metres_of(reference.run_out_m, root_area);
+    const CostModel model = fit_cost_model(samples);
     Price best;
     best.error_m = std::numeric_limits<double>::infinity();
     for (const double resolution : offers(samples.front().resolution, reference.resolution)) {
         const double error = error_bar(run_out, root_area / resolution);
         if (!(error < best.error_m)) continue;
+        const bool too_long = expected_cost(samples, model, resolution).cpu_s > longest_run_s;
+        if (too_long && best.resolution > 0) break;
         best.resolution = resolution;
         best.error_m = error;
         best.met = error <= allowed;
@@ -49,7 +52,7 @@ std::optional<Price> price_of(const Ladder& ladder, const AccuracyTarget& target
     best.target_share = allowed / reference.scale_m;
     best.reach_angle_error_deg = error_bar(ladder.convergence[1], root_area / best.resolution);
     best.beyond_ladder = best.resolution > reference.resolution;
-    best.cost = expected_cost(samples, fit_cost_model(samples), best.resolution);
+    best.cost = expected_cost(samples, model, best.resolution);
     return best;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,8 +25,9 @@ struct Price {
 constexpr double farthest_beyond_ladder = 2.0;
 
 /// The cheapest spacing that meets `target` by the error bars of the ladder. Nothing when the ladder has no
-/// error bars (too few rungs).
-std::optional<Price> price_of(const Ladder& ladder, const AccuracyTarget& target);
+/// error bars (too few rungs). No run longer than `longest_run_s` of CPU time is offered but the cheapest.
+std::optional<Price> price_of(const Ladder& ladder, const AccuracyTarget& target,
+                              double longest_run_s = std::numeric_limits<double>::infinity());
 
 /// 10, 5, 2 and 1 %.
 std::vector<Price> price_list(const Ladder& ladder);

@@ -119,7 +119,7 @@ int study(const AccuracyArguments& arguments) {
     if (arguments.methods && !interrupt.requested())
         compare_and_tell(scene, ladder, store, arguments, interrupt.requested());
     if (arguments.check && !interrupt.requested())
-        check_choices(scene, ladder, store, &interrupt.requested());
+        check_choices(scene, ladder, store, arguments.budget_s, &interrupt.requested());
     const StoredLadder stored = describe_ladder(scene, ladder);
     const long ladder_id = store.add(stored);
     spdlog::info("stored as study {} in {}", ladder_id, arguments.database);
@@ -176,7 +176,7 @@ void add_accuracy_command(CLI::App& app, Command& command) {
         ->capture_default_str()
         ->group("Ladder");
     sub->add_option("--budget", arguments->budget_s,
-                    "Wall time for the ladder; no rung is begun that would exceed it")
+                    "Time for the ladder; no rung is begun that would exceed it")
         ->type_name("s")
         ->check(CLI::PositiveNumber)
         ->capture_default_str()
