@@ -106,7 +106,8 @@ TEST(Survey, TheShippedOneIsWhole) {
         for (std::size_t i = 0; i < scene.rungs.size(); ++i) {
             EXPECT_GE(scene.rungs[i].results, 2) << scene.name;
             EXPECT_GT(scene.rungs[i].cost.cpu_s, 0) << scene.name;
-            if (i > 0) EXPECT_GT(scene.rungs[i].resolution, scene.rungs[i - 1].resolution) << scene.name;
+            if (i == 0) continue;
+            EXPECT_GT(scene.rungs[i].resolution, scene.rungs[i - 1].resolution) << scene.name;
         }
     }
     EXPECT_EQ(without(survey, survey.front().name).size(), survey.size() - 1);

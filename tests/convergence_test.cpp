@@ -75,15 +75,23 @@ TEST(RefinementFit, DoesNotBelieveAnUnusualOrder) {
     EXPECT_EQ(flat.safety_factor, 3.0);
 }
 
-TEST(RefinementFit, ScatterWidensTheUncertainty) {
-    const std::vector<double> spacings = {1, 0.7, 0.5, 0.35, 0.25};
-    std::vector<GridValue> clean = power_law(5.0, 0.8, 1.0, spacings), noisy = clean;
-    const double noise[] = {0.02, -0.03, 0.03, -0.02, 0.03};
-    for (std::size_t i = 0; i < noisy.size(); ++i) noisy[i].value += noise[i];
-    const RefinementFit fit = fit_refinement(noisy);
-    EXPECT_GT(fit.deviation, 0.01);
-    EXPECT_GT(refinement_uncertainty(fit, 0.25, noisy.back().value),
-              refinement_uncertainty(fit_refinement(clean), 0.25, clean.back().value));
+TEST(RefinementFit, DataThatOnlyScatterHaveAWideUncertainty) {
+    std::vector<GridValue> values;
+    double sign = 1;
+    for (const double spacing : {1.0, 0.7, 0.5, 0.35, 0.25}) {
+        values.push_back({spacing, 5.0 + 0.1 * sign});
+        sign = -sign;
+    }
+    const RefinementFit fit = fit_refinement(values);
+    EXPECT_GT(fit.deviation, fit.range_per_step);
+    EXPECT_GT(refinement_uncertainty(fit, 0.25, fit.at(0.25)), 3 * fit.deviation);
+}
+
+TEST(RefinementFit, AValueOffTheFitIsLessCertain) {
+    const RefinementFit fit = fit_refinement(power_law(5.0, 0.8, 1.0, {1, 0.7, 0.5, 0.35, 0.25}));
+    EXPECT_NEAR(refinement_uncertainty(fit, 0.25, fit.at(0.25) + 0.3) -
+                    refinement_uncertainty(fit, 0.25, fit.at(0.25)),
+                0.3, 1e-6);
 }
 
 TEST(RefinementFit, DoesNotDependOnTheOrderOfTheData) {

@@ -278,7 +278,10 @@ TEST_F(StoreTest, KnowsWhereAnErrorBarCanComeFrom) {
 TEST_F(StoreTest, KeepsStudiesAndGivesTheLatestOfAQuestion) {
     Store store(path, Store::Mode::write);
     const long run_id = add(example_scene(), example_result());
-    StoredLadder ladder{.question_hash = "q", .name = "cut", .target = "5 %", .machine = "m"};
+    StoredLadder ladder;
+    ladder.question_hash = "q";
+    ladder.name = "cut";
+    ladder.target = "5 %";
     ladder.runs = {{"spacing", "8", 8, run_id}, {"run.courant", "0.2", 8, run_id}};
     ladder.verdicts = {
         {"run_out_m", "converged", 1.5, 0.1, 0.02, std::nan(""), 1.6, std::nan(""), 1.1, 1.55}};

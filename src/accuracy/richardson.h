@@ -21,10 +21,10 @@ struct Richardson {
 /// Safety factor of the index for three grids (Roache 1994).
 constexpr double gci_safety_factor = 1.25;
 
-/// Observed order by the fixed-point iteration of Celik et al. (2008, J. Fluids Eng. 130, 078001), which
-/// allows ratios of spacing that differ, and the grid convergence index of Roache (1994, J. Fluids Eng. 116,
-/// 405-413). `values` from the finest to the coarsest. Nothing when the differences have opposite signs, one
-/// is zero, or they do not shrink: such numbers have no order.
+/// Observed order by the equation of Celik et al. (2008, J. Fluids Eng. 130, 078001), which allows ratios of
+/// spacing that differ, solved by bisection since their iteration need not converge; and the grid convergence
+/// index of Roache (1994, J. Fluids Eng. 116, 405-413). `values` from the finest to the coarsest. Nothing
+/// when the differences have opposite signs, one is zero, or they do not shrink: such numbers have no order.
 std::optional<Richardson> richardson(const std::array<GridValue, 3>& values);
 
 }  // namespace runout

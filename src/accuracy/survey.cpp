@@ -97,7 +97,7 @@ std::vector<SurveyedScene> parse_survey(const std::string& text, const std::stri
 }
 
 const std::vector<SurveyedScene>& shipped_survey() {
-    static const std::vector<SurveyedScene> survey = parse_survey(survey_csv, "cases/ladders.csv");
+    static const std::vector<SurveyedScene> survey = parse_survey(survey_csv, "src/accuracy/ladders.csv");
     return survey;
 }
 

@@ -209,7 +209,7 @@ void add_accuracy_command(CLI::App& app, Command& command) {
         ->type_name("PATH")
         ->group("Output");
     sub->add_option("--survey", arguments->survey,
-                    "Write the ladders of the database as CSV, the form of cases/ladders.csv")
+                    "Write the ladders of the database as CSV, the form of src/accuracy/ladders.csv")
         ->type_name("PATH")
         ->group("Output");
     sub->add_flag("--json", arguments->json, "Print the study as one JSON object")->group("Output");
