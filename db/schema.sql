@@ -188,7 +188,7 @@ CREATE TABLE ladder_verdict (
     observed_order          REAL,           -- of the three finest rungs
     richardson_value        REAL,
     grid_convergence_index  REAL,           -- of the finest value, a share of it; safety factor 1.25
-    fitted_order            REAL,           -- least squares over all rungs
+    fitted_order            REAL,           -- least squares over the finest rungs
     fitted_value            REAL,           -- extrapolated to spacing zero
     PRIMARY KEY (ladder_id, quantity)
 ) STRICT;

@@ -12,6 +12,9 @@ namespace {
 constexpr double coverage_factor = 2.0;
 constexpr std::size_t fewest_rungs = 3;
 constexpr int finer_spacings = 16;
+// Coarser rungs hardly resolve the front and follow no power law: a fit through them would extrapolate their
+// error.
+constexpr std::size_t most_rungs_in_fit = 4;
 
 /// Pooled over the rungs, each with its degrees of freedom.
 double pooled_scatter(std::span<const RungValue> rungs) {
@@ -22,6 +25,19 @@ double pooled_scatter(std::span<const RungValue> rungs) {
         freedom += rung.lattices - 1;
     }
     return freedom > 0 ? std::sqrt(squares / freedom) : 0.0;
+}
+
+/// The mean at a spacing: straight between the rungs, by the fit beyond the finest.
+double value_at(const Convergence& convergence, double spacing) {
+    const std::vector<RungValue>& rungs = convergence.rungs;
+    if (spacing <= rungs.back().spacing) return convergence.fit->at(spacing);
+    for (std::size_t k = 1; k < rungs.size(); ++k) {
+        const RungValue &coarse = rungs[k - 1], &fine = rungs[k];
+        if (spacing < fine.spacing) continue;
+        const double share = std::min(1.0, (spacing - fine.spacing) / (coarse.spacing - fine.spacing));
+        return fine.mean + share * (coarse.mean - fine.mean);
+    }
+    return rungs.front().mean;
 }
 
 /// The mean differences between rungs, the finest last.
@@ -95,7 +111,7 @@ double error_bar(const Convergence& convergence, double spacing) {
     double worst = 0;
     for (int k = 1; k <= finer_spacings; ++k) {
         const double finer = spacing * k / finer_spacings;
-        worst = std::max(worst, refinement_uncertainty(fit, finer, fit.at(finer)));
+        worst = std::max(worst, refinement_uncertainty(fit, finer, value_at(convergence, finer)));
     }
     return std::hypot(worst, coverage_factor * convergence.scatter);
 }
@@ -109,8 +125,10 @@ Convergence judge_convergence(std::span<const RungValue> rungs, double target) {
         result.finest_spacing = rungs.back().spacing;
     }
     if (rungs.size() < fewest_rungs) return result;
+    result.rungs.assign(rungs.begin(), rungs.end());
     std::vector<GridValue> values;
-    for (const RungValue& rung : rungs) values.push_back({rung.spacing, rung.mean});
+    for (const RungValue& rung : rungs.last(std::min(rungs.size(), most_rungs_in_fit)))
+        values.push_back({rung.spacing, rung.mean});
     const std::size_t last = values.size() - 1;
     result.finest_three = richardson({values[last], values[last - 1], values[last - 2]});
     result.fit = fit_refinement(values);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "accuracy/refinement_fit.h"
 #include "accuracy/richardson.h"
@@ -34,7 +35,8 @@ std::string_view meaning(Verdict verdict);
 struct Convergence {
     Verdict verdict = Verdict::too_few_rungs;
     std::optional<Richardson> finest_three;  ///< nothing when they do not move one way
-    std::optional<RefinementFit> fit;        ///< over all rungs, three or more
+    std::optional<RefinementFit> fit;        ///< over the finest four rungs, or all three
+    std::vector<RungValue> rungs;            ///< from the coarsest to the finest
     double scatter = 0;                      ///< standard deviation of one lattice, pooled over the rungs
     double finest_value = 0;                 ///< mean over the lattices of the finest rung
     double finest_spacing = 0;

@@ -67,7 +67,7 @@ std::string verdict_lines(const Ladder& ladder) {
                           c.finest_three->order, c.finest_three->extrapolated, 100.0 * c.finest_three->gci)
                     : std::string("    three finest rungs: no order, they do not move one way\n");
         text += fmt::format(
-            "    least squares over all rungs: {}, value {:.4g}; one lattice scatters by {:.2g}\n",
+            "    least squares over the finest rungs: {}, value {:.4g}; one lattice scatters by {:.2g}\n",
             std::isfinite(c.fit->observed_order) ? fmt::format("order {:.2f}", c.fit->observed_order)
                                                  : std::string("no order"),
             c.fit->value, c.scatter);
