@@ -27,8 +27,9 @@ TEST_F(StoreTest, ARunThatCannotBeStoredLeavesNothing) {
     twice.phases.push_back(twice.phases.front());  // the last insert of the transaction breaks a primary key
     Store store(path, Store::Mode::write);
     EXPECT_THROW(store.add(example_scene(), twice), std::exception);
-    for (const char* table : {"section", "section_point", "source", "source_point", "scenario", "run",
-                              "measure", "series", "deposit_profile", "snapshot", "stage", "phase_time"})
+    for (const char* table :
+         {"section", "section_point", "source", "source_point", "scenario", "run", "measure", "series",
+          "deposit_profile", "snapshot", "frame", "stage", "phase_time", "map_line"})
         EXPECT_EQ(count(table), 0) << table;
     store.add(example_scene(), example_result());
     EXPECT_EQ(count("run"), 1) << "the store goes on after a failure";
@@ -213,8 +214,9 @@ TEST_F(ForeignFile, GeoPackage) {
 
 TEST_F(ForeignFile, NewerVersion) {
     add(example_scene(), example_result());
-    raw().exec("PRAGMA user_version = 4");
-    expect_refused("is of database version 4, written by a newer Runout; this Runout knows versions up to 3");
+    raw().exec("PRAGMA user_version = 99");
+    expect_refused(
+        "is of database version 99, written by a newer Runout; this Runout knows versions up to 4");
 }
 
 TEST_F(ForeignFile, ImpossibleVersion) {
@@ -368,11 +370,11 @@ std::set<std::string> format_of(SQLite::Database& database) {
     return format;
 }
 
-/// The format as it is now without what version 3 added.
-void take_back_to_version_two(SQLite::Database& database) {
+/// The format as it is now without what version 4 added.
+void take_back_to_version_three(SQLite::Database& database) {
     database.exec(
         "DROP VIEW result; DROP VIEW ladder_rung; DROP TABLE pilot; DROP TABLE ladder_run;"
-        " DROP TABLE ladder_verdict; DROP TABLE ladder; PRAGMA user_version = 2");
+        " DROP TABLE ladder_verdict; DROP TABLE ladder; PRAGMA user_version = 3");
     for (const char* column :
          {"peak_memory_mb", "machine", "accuracy_asked", "run_out_error_m", "reach_angle_error_deg",
           "error_origin", "error_note", "expected_cpu_s", "choosing_cpu_s"})
@@ -382,8 +384,11 @@ void take_back_to_version_two(SQLite::Database& database) {
 
 /// What a program of version 1 would have written.
 void take_back_to_version_one(SQLite::Database& database) {
-    take_back_to_version_two(database);
-    database.exec("DROP TABLE snapshot; DROP TABLE stage; PRAGMA user_version = 1");
+    take_back_to_version_three(database);
+    database.exec(
+        "ALTER TABLE run DROP COLUMN line_id; DROP TABLE map_line_point; DROP TABLE map_line_attribute;"
+        "DROP TABLE map_line; DROP TABLE snapshot; DROP TABLE stage; DROP TABLE frame; PRAGMA user_version = "
+        "1");
     for (const char* column : {"lattice_seed", "snapshot_times_s", "base_friction_angle_deg",
                                "release_layers", "release_layer_width_m", "release_layer_height_m"})
         database.exec(std::string("ALTER TABLE scenario DROP COLUMN ") + column);
@@ -404,7 +409,7 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     Store store(path, Store::Mode::write);
     SQLite::Database file = raw();
     EXPECT_EQ(format_of(file), wanted);
-    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 3);
+    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 4);
     EXPECT_EQ(store.run(id).appraisal.error_origin, "none");
     EXPECT_TRUE(std::isnan(store.run(id).appraisal.run_out_error_m));
     EXPECT_TRUE(store.ladders().empty());
@@ -412,6 +417,7 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     EXPECT_EQ(store.run(id).measures.run_out_m, result.measures.run_out_m);
     EXPECT_EQ(store.series(id).size(), result.series.size());
     EXPECT_TRUE(store.snapshots(id).empty());
+    EXPECT_TRUE(store.frames(id).empty());
     EXPECT_TRUE(store.stages(id).empty());
     EXPECT_EQ(count("scenario WHERE lattice_seed = 0 AND snapshot_times_s = '[]'"
                     " AND base_friction_angle_deg IS NULL AND release_layers IS NULL"),

@@ -25,6 +25,7 @@ namespace {
 struct RunArguments {
     CaseArguments scenario;
     std::string database = "runout.db";
+    int frames = 60;
     bool store = true;
     bool json = false;
     bool quiet = false;
@@ -32,11 +33,12 @@ struct RunArguments {
     double budget_s = 3600;
 };
 
-RunResult simulate(const Scene& scene, const InterruptWatch& interrupt, bool quiet) {
-    ProgressLine line(quiet ? ProgressLine::Style::none : ProgressLine::style_of_stderr());
+RunResult simulate(const Scene& scene, const RunArguments& arguments, const InterruptWatch& interrupt) {
+    ProgressLine line(arguments.quiet ? ProgressLine::Style::none : ProgressLine::style_of_stderr());
     RunControl control;
     control.on_progress = [&line](const Progress& progress) { line.show(progress); };
     control.interrupt = &interrupt.requested();
+    control.frames = arguments.store ? arguments.frames : 0;
     RunResult result = run_scene(scene, control);
     line.finish();
     return result;
@@ -58,13 +60,20 @@ void log_ending(const RunResult& result) {
                  result.status_detail.empty() ? "" : ": ", result.status_detail);
 }
 
+/// A section that is to be run, as its case asks for it.
+struct Section {
+    CaseSpec spec;
+    Scene scene;
+};
+
 bool says_how_fine(const CaseSpec& spec) {
     return spec.has("run.resolution") || spec.has("run.particle_spacing_m");
 }
 
 /// What is to be run: the spacing that the case gives, or one that meets its accuracy.
-RunPlan plan_of(const CaseSpec& spec, const Scene& scene, const std::optional<Store>& store,
-                const RunArguments& arguments, const InterruptWatch& interrupt) {
+RunPlan plan_of(const Section& section, const std::optional<Store>& store, const RunArguments& arguments,
+                const InterruptWatch& interrupt) {
+    const auto& [spec, scene] = section;
     PlanOptions options;
     if (!says_how_fine(spec)) options.target = accuracy_target(spec.accuracy, spec.place("run.accuracy"));
     if (spec.has("run.accuracy")) options.asked = spec.place("run.accuracy");
@@ -85,31 +94,22 @@ void log_plan(const RunPlan& plan) {
         spdlog::info("expected to take {} of CPU time", short_duration(plan.appraisal.expected_cpu_s));
 }
 
-int run(const RunArguments& arguments) {
-    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
-    const CaseSpec spec = case_from(arguments.scenario);
-    const Scene asked = make_scene(spec);
-    log_assumptions(asked.assumed);
+/// Every section of the case; a mistake in one is found before any has run.
+std::vector<Section> sections_of(const CaseArguments& arguments) {
+    std::vector<Section> sections;
+    for (const CaseSpec& spec : section_cases(case_from(arguments)))
+        sections.push_back({spec, make_scene(spec)});
+    return sections;
+}
 
-    // A database that cannot take the run is found out now and not after an hour of work.
-    std::optional<Store> store;
-    std::error_code ignored;
-    const bool existed = std::filesystem::exists(arguments.database, ignored);
-    if (arguments.store) store.emplace(arguments.database, Store::Mode::write);
-
-    const InterruptWatch interrupt;
-    RunPlan plan;
-    try {
-        plan = plan_of(spec, asked, store, arguments, interrupt);
-    } catch (const InputError&) {  // a target that cannot be met leaves nothing behind
-        store.reset();
-        if (arguments.store && !existed) std::filesystem::remove(arguments.database, ignored);
-        throw;
-    }
+/// Chooses, simulates, stores and prints one section, and returns its exit code.
+int run_section(const Section& section, const RunArguments& arguments, std::optional<Store>& store,
+                const InterruptWatch& interrupt) {
+    log_assumptions(section.scene.assumed);
+    const RunPlan plan = plan_of(section, store, arguments, interrupt);
     log_plan(plan);
-
     const Scene& scene = plan.scene;
-    const RunResult result = simulate(scene, interrupt, arguments.quiet);
+    const RunResult result = simulate(scene, arguments, interrupt);
     log_ending(result);
 
     StoredRun run = describe_run(scene, result, plan.appraisal);
@@ -124,6 +124,42 @@ int run(const RunArguments& arguments) {
     if (failure) std::rethrow_exception(failure);
     if (store) spdlog::info("stored as run {} in {}", run.run_id, arguments.database);
     return exit_code_of(result);
+}
+
+/// All of them, one after the other.
+int run_sections(const std::vector<Section>& sections, const RunArguments& arguments,
+                 std::optional<Store>& store, const InterruptWatch& interrupt) {
+    if (sections.size() == 1) return run_section(sections.front(), arguments, store, interrupt);
+    int failed = 0;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        spdlog::info("section {} of {}: {}", i + 1, sections.size(), sections[i].scene.name);
+        const int code = run_section(sections[i], arguments, store, interrupt);
+        if (code == exit_code::interrupted) return code;
+        if (code != exit_code::success) ++failed;
+    }
+    if (failed > 0) spdlog::warn("{} of {} sections gave no result", failed, sections.size());
+    return failed > 0 ? exit_code::not_a_result : exit_code::success;
+}
+
+int run(const RunArguments& arguments) {
+    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
+    const std::vector<Section> sections = sections_of(arguments.scenario);
+
+    // A database that cannot take the runs is found out now and not after an hour of work.
+    std::optional<Store> store;
+    std::error_code ignored;
+    const bool existed = std::filesystem::exists(arguments.database, ignored);
+    if (arguments.store) store.emplace(arguments.database, Store::Mode::write);
+
+    const InterruptWatch interrupt;
+    try {
+        return run_sections(sections, arguments, store, interrupt);
+    } catch (const InputError&) {  // a target that cannot be met leaves nothing behind
+        const bool empty = store && store->runs().empty();
+        store.reset();
+        if (empty && !existed) std::filesystem::remove(arguments.database, ignored);
+        throw;
+    }
 }
 
 }  // namespace
@@ -142,15 +178,22 @@ void add_run_command(CLI::App& app, Command& command) {
     sub->add_flag_callback(
            "--no-pilots", [arguments] { arguments->pilots = false; },
            "No coarse runs beside a spacing that is given: no error bar and no expected time unless there is "
-           "a "
-           "ladder")
+           "a ladder")
         ->group("Accuracy");
     sub->add_option("--budget", arguments->budget_s, "CPU time that a run may take whose spacing is chosen")
         ->type_name("s")
         ->check(CLI::PositiveNumber)
         ->capture_default_str()
         ->group("Accuracy");
-    sub->add_flag("--json", arguments->json, "Print the answer as one JSON object")->group("Output");
+    sub->add_option("--frames", arguments->frames,
+                    "Most pictures of the particles to store for the animation of the report; 0 for none")
+        ->type_name("number")
+        ->check(CLI::Range(0, 10000))
+        ->capture_default_str()
+        ->group("Output");
+    sub->add_flag("--json", arguments->json,
+                  "Print the answer as one JSON object, one after the other for many sections")
+        ->group("Output");
     sub->add_flag("--quiet", arguments->quiet, "No progress, no log but errors")->group("Output");
     sub->callback([arguments, &command] { command = [arguments] { return run(*arguments); }; });
 }

@@ -1,6 +1,8 @@
 #include "report/run_columns.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "store/columns.h"
 
@@ -41,6 +43,22 @@ void append_appraisal(std::vector<RunColumn>& columns, const StoredRun& run) {
     columns.push_back({"choosing_cpu_s", number(appraisal.choosing_cpu_s)});
 }
 
+/// An object; empty where the section came from no map.
+Cell attributes_json(const std::vector<Attribute>& attributes) {
+    if (attributes.empty()) return {};
+    nlohmann::ordered_json object;
+    for (const Attribute& attribute : attributes)
+        std::visit(
+            [&](const auto& value) {
+                if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>)
+                    object[attribute.name] = nullptr;
+                else
+                    object[attribute.name] = value;
+            },
+            attribute.value);
+    return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 }  // namespace
 
 std::vector<RunColumn> run_columns(const StoredRun& run) {
@@ -50,6 +68,7 @@ std::vector<RunColumn> run_columns(const StoredRun& run) {
         {"status", std::string(to_string(run.status))},
         {"status_detail", run.status_detail},
         {"section_origin", run.section_origin},
+        {"section_attributes", attributes_json(run.section_attributes)},
         {"source_type", run.source_type},
         {"discontinuity_angle_deg", number(run.discontinuity_angle_deg)},
         {"drop_height_datum", run.drop_height_datum},
