@@ -284,7 +284,9 @@ RunPlan plan_for_spacing(const Scene& scene, const PlanOptions& options, Pilots&
         run_pilots(
             pilots, [&] { return resolution; }, options);
     RunPlan plan{scene, {}, pilots.rows(), {}};
-    if (pilots.empty()) plan.appraisal.error_note = "no pilot runs were made beside a run as coarse as this";
+    if (pilots.empty())
+        plan.appraisal.error_note = options.pilots ? "no pilot runs were made beside a run as coarse as this"
+                                                   : "no pilot runs were asked for";
     return plan;
 }
 
