@@ -161,5 +161,23 @@ TEST(ErrorBar, IsNeverSmallerForACoarserRun) {
     }
 }
 
+TEST(ErrorBar, OnAPlateauIsTheScatterAndTheRangeOfTheRungs) {
+    // Far off at first, then the same within chance: the coarse rungs must not make the fine ones doubtful.
+    const auto ladder = rungs({5, 8, 10.1, 10, 10.1}, 0.1);
+    const Convergence c = judge_convergence(ladder, 0.01);
+    EXPECT_EQ(c.verdict, Verdict::floor_reached);
+    EXPECT_NEAR(c.uncertainty, std::hypot(0.1, 0.2), 1e-12);
+    EXPECT_GT(error_bar(c, ladder.front().spacing), 5);
+}
+
+TEST(ErrorBar, ScatterIsThatOfTheLatticesNearby) {
+    auto ladder = rungs({10, 10, 10, 10, 10, 10}, 0.1);
+    for (std::size_t k = 0; k < 3; ++k) ladder[k].scatter = 1;
+    const Convergence c = judge_convergence(ladder, 0.01);
+    EXPECT_NEAR(c.scatter, 0.1, 1e-12);
+    EXPECT_NEAR(c.uncertainty, 0.2, 1e-12);
+    EXPECT_NEAR(error_bar(c, ladder[0].spacing), 2, 1e-12);
+}
+
 }  // namespace
 }  // namespace runout

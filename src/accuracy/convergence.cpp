@@ -15,6 +15,8 @@ constexpr int finer_spacings = 16;
 // Coarser rungs hardly resolve the front and follow no power law: a fit through them would extrapolate their
 // error.
 constexpr std::size_t most_rungs_in_fit = 4;
+// Scatter falls with the spacing, so only neighbouring rungs are pooled.
+constexpr std::size_t pooled_rungs = 3;
 
 /// Pooled over the rungs, each with its degrees of freedom.
 double pooled_scatter(std::span<const RungValue> rungs) {
@@ -25,6 +27,40 @@ double pooled_scatter(std::span<const RungValue> rungs) {
         freedom += rung.lattices - 1;
     }
     return freedom > 0 ? std::sqrt(squares / freedom) : 0.0;
+}
+
+/// Pooled over the rungs whose spacing is nearest by ratio.
+double scatter_at(std::span<const RungValue> rungs, double spacing) {
+    const std::size_t count = std::min(rungs.size(), pooled_rungs);
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k < rungs.size(); ++k)
+        if (std::abs(std::log(rungs[k].spacing / spacing)) <
+            std::abs(std::log(rungs[nearest].spacing / spacing)))
+            nearest = k;
+    const std::size_t first = std::min(nearest - std::min(nearest, count / 2), rungs.size() - count);
+    return pooled_scatter(rungs.subspan(first, count));
+}
+
+/// What two means over that many lattices differ by through chance, 95 %.
+double noise_of_difference(double scatter, int lattices) {
+    return coverage_factor * scatter * std::sqrt(2.0 / std::max(1, lattices));
+}
+
+int fewest_lattices(std::span<const RungValue> rungs) {
+    return std::ranges::min(rungs, {}, &RungValue::lattices).lattices;
+}
+
+/// The finest rungs whose means lie no further apart than chance lets them: no trend is left to extrapolate.
+/// Empty when the finest three do not.
+std::span<const RungValue> plateau(std::span<const RungValue> rungs, double scatter) {
+    std::span<const RungValue> found;
+    for (std::size_t count = fewest_rungs; count <= rungs.size(); ++count) {
+        const auto tail = rungs.last(count);
+        const auto [low, high] = std::ranges::minmax(tail, {}, &RungValue::mean);
+        if (high.mean - low.mean > noise_of_difference(scatter, fewest_lattices(tail))) break;
+        found = tail;
+    }
+    return found;
 }
 
 /// The mean at a spacing: straight between the rungs, by the fit beyond the finest.
@@ -40,27 +76,34 @@ double value_at(const Convergence& convergence, double spacing) {
     return rungs.front().mean;
 }
 
+/// What is left of the spacing where the finest rungs agree: how far they lie apart, and the mean at this
+/// spacing from theirs.
+double error_beside_plateau(const Convergence& convergence, std::span<const RungValue> flat, double spacing) {
+    const auto [low, high] = std::ranges::minmax(flat, {}, &RungValue::mean);
+    const double range = high.mean - low.mean;
+    if (spacing <= flat.front().spacing) return range;
+    double mean = 0;
+    for (const RungValue& rung : flat) mean += rung.mean / static_cast<double>(flat.size());
+    return range + std::abs(value_at(convergence, spacing) - mean);
+}
+
 /// The mean differences between rungs, the finest last.
 struct Steps {
     double last = 0, before = 0;
-    double ratio = 1;  ///< of the refinement of the last step
     double noise = 0;  ///< of a difference between two means, 95 %
 };
 
 Steps last_steps(std::span<const RungValue> rungs, double scatter) {
-    const RungValue& fine = rungs[rungs.size() - 1];
-    const RungValue& medium = rungs[rungs.size() - 2];
-    const RungValue& coarse = rungs[rungs.size() - 3];
-    const int least = std::min({fine.lattices, medium.lattices, coarse.lattices});
-    return {fine.mean - medium.mean, medium.mean - coarse.mean, medium.spacing / fine.spacing,
-            coverage_factor * scatter * std::sqrt(2.0 / std::max(1, least))};
+    const auto last = rungs.last(fewest_rungs);
+    return {last[2].mean - last[1].mean, last[1].mean - last[0].mean,
+            noise_of_difference(scatter, fewest_lattices(last))};
 }
 
 Verdict verdict_of(std::span<const RungValue> rungs, const Convergence& so_far, double target) {
     if (so_far.uncertainty <= target) return Verdict::converged;
     const Steps step = last_steps(rungs, so_far.scatter);
     const double last = std::abs(step.last), before = std::abs(step.before);
-    if (std::max(last, before) <= so_far.scatter) return Verdict::floor_reached;
+    if (!plateau(rungs, so_far.scatter).empty()) return Verdict::floor_reached;
     if (std::min(last, before) > step.noise && step.last * step.before < 0) return Verdict::oscillating;
     if (last > step.noise && last >= before) return Verdict::not_converging;
     return Verdict::refining;
@@ -91,7 +134,7 @@ std::string_view meaning(Verdict verdict) {
         case Verdict::converged:
             return "one run with the finest spacing is within the target";
         case Verdict::floor_reached:
-            return "the last refinements changed less than the lattices scatter: a finer run buys nothing";
+            return "the finest three rungs differ by no more than chance: only the scatter is left";
         case Verdict::oscillating:
             return "the last refinements went to and fro by more than the scatter: no trend to extrapolate";
         case Verdict::not_converging:
@@ -106,21 +149,26 @@ std::string_view meaning(Verdict verdict) {
 
 double error_bar(const Convergence& convergence, double spacing) {
     if (!convergence.fit) return std::numeric_limits<double>::quiet_NaN();
-    const RefinementFit& fit = *convergence.fit;
-    // A fit with two terms may cross its limit: a zero there is chance, so no finer spacing may be worse.
+    const auto flat = plateau(convergence.rungs, convergence.scatter);
+    // A coarse rung that happens to hit, or a fit that crosses its limit, is chance: no finer spacing may be
+    // worse.
     double worst = 0;
     for (int k = 1; k <= finer_spacings; ++k) {
         const double finer = spacing * k / finer_spacings;
-        worst = std::max(worst, refinement_uncertainty(fit, finer, value_at(convergence, finer)));
+        const double of_spacing =
+            flat.empty() ? refinement_uncertainty(*convergence.fit, finer, value_at(convergence, finer))
+                         : error_beside_plateau(convergence, flat, finer);
+        const double of_lattice = coverage_factor * scatter_at(convergence.rungs, finer);
+        worst = std::max(worst, std::hypot(of_spacing, of_lattice));
     }
-    return std::hypot(worst, coverage_factor * convergence.scatter);
+    return worst;
 }
 
 Convergence judge_convergence(std::span<const RungValue> rungs, double target) {
     Convergence result;
     result.uncertainty = std::numeric_limits<double>::quiet_NaN();
-    result.scatter = pooled_scatter(rungs);
     if (!rungs.empty()) {
+        result.scatter = scatter_at(rungs, rungs.back().spacing);
         result.finest_value = rungs.back().mean;
         result.finest_spacing = rungs.back().spacing;
     }

@@ -20,9 +20,9 @@ struct RungValue {
 
 /// What a ladder of spacings says of a quantity.
 enum class Verdict {
-    converged,      ///< one run on the finest rung is within the target
-    floor_reached,  ///< the last refinements changed less than the lattices scatter: a finer run buys nothing
-    oscillating,    ///< the last refinements went to and fro by more than the scatter
+    converged,       ///< one run on the finest rung is within the target
+    floor_reached,   ///< the finest three rungs differ by no more than chance: a finer run buys little
+    oscillating,     ///< the last refinements went to and fro by more than the scatter
     not_converging,  ///< the last refinements changed as much as those before, or more
     refining,        ///< changes shrink, but the target was not met yet
     too_few_rungs,   ///< fewer than three rungs have results
@@ -37,8 +37,8 @@ struct Convergence {
     std::optional<Richardson> finest_three;  ///< nothing when they do not move one way
     std::optional<RefinementFit> fit;        ///< over the finest four rungs, or all three
     std::vector<RungValue> rungs;            ///< from the coarsest to the finest
-    double scatter = 0;                      ///< standard deviation of one lattice, pooled over the rungs
-    double finest_value = 0;                 ///< mean over the lattices of the finest rung
+    double scatter = 0;       ///< standard deviation of one lattice, over the finest three rungs
+    double finest_value = 0;  ///< mean over the lattices of the finest rung
     double finest_spacing = 0;
     double uncertainty = 0;  ///< of one run on the finest rung, 95 %; NaN with too few rungs
 };
@@ -47,7 +47,10 @@ struct Convergence {
 /// quantity.
 Convergence judge_convergence(std::span<const RungValue> rungs, double target);
 
-/// Uncertainty (95 %) of one run with this spacing, of one lattice, from the ladder. NaN with too few rungs.
+/// Uncertainty (95 %) of one run with this spacing, of one lattice, from the ladder: the error of the spacing
+/// and twice the scatter of the lattices near it, as root of squares. Where the finest three rungs or more
+/// differ by no more than chance, the error of the spacing is their range and the distance from their mean;
+/// else it comes from the least-squares fit (Eca and Hoekstra 2014). NaN with too few rungs.
 double error_bar(const Convergence& convergence, double spacing);
 
 }  // namespace runout

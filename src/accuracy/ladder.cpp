@@ -222,7 +222,7 @@ Ladder climb(const Scene& scene, Store& store, const LadderOptions& options) {
             if (options.on_rung) options.on_rung(ladder.rungs.back());
         }
         if (interrupted(options.interrupt)) ladder.ended = "it was stopped";
-        const bool enough = ladder.rungs.size() > rungs_for_a_verdict;
+        const bool enough = ladder.rungs.size() > rungs_for_a_verdict && resolution >= options.at_least_to;
         if (ladder.ended.empty() && enough) ladder.ended = reason_to_end(ladder);
     }
     if (ladder.ended.empty()) ladder.ended = "there is no finer rung";

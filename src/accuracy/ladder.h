@@ -64,8 +64,9 @@ Reference reference_of(const Ladder& ladder);
 
 struct LadderOptions {
     AccuracyTarget target{0.05, 0};
-    int lattices = 3;                                 ///< a rung: the regular one and jittered ones
-    double budget_s = 300;                            ///< wall time for all
+    int lattices = 3;        ///< a rung: the regular one and jittered ones
+    double budget_s = 300;   ///< wall time for all
+    double at_least_to = 0;  ///< sqrt(S)/dl that is run even if the target is met before
     std::function<void(const RungSummary&)> on_rung;  ///< as each rung ends
     const std::atomic<bool>* interrupt = nullptr;
 };

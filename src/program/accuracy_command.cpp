@@ -34,6 +34,7 @@ struct AccuracyArguments {
     std::string page;
     std::string survey;
     double budget_s = 300;
+    double at_least_to = 0;
     int lattices = 3;
     bool methods = false;
     bool check = false;
@@ -89,6 +90,7 @@ Ladder climb_and_tell(const Scene& scene, Store& store, const AccuracyArguments&
     options.target = accuracy_target(arguments.target, option("--target", arguments.target));
     options.lattices = arguments.lattices;
     options.budget_s = arguments.budget_s;
+    options.at_least_to = arguments.at_least_to;
     options.interrupt = &interrupt;
     std::optional<RungSummary> before;
     options.on_rung = [&](const RungSummary& rung) {
@@ -180,6 +182,11 @@ void add_accuracy_command(CLI::App& app, Command& command) {
         ->type_name("s")
         ->check(CLI::PositiveNumber)
         ->capture_default_str()
+        ->group("Ladder");
+    sub->add_option("--finest", arguments->at_least_to,
+                    "sqrt(S)/dl to go on to even if the target is met before, for a better reference")
+        ->type_name("number")
+        ->check(CLI::Range(0, 1000))
         ->group("Ladder");
     sub->add_option("--lattices", arguments->lattices,
                     "Runs on each rung: on the regular lattice and off it at random")
