@@ -8,7 +8,7 @@
 -- A change of the format raises user_version and adds a step to src/store/migrations.cpp.
 
 PRAGMA application_id = 1381322319;  -- the letters RUNO
-PRAGMA user_version = 4;
+PRAGMA user_version = 5;
 
 -- The ground along a section before the failure. Two files with the same ground share one row, so the name
 -- of the file belongs to the run.
@@ -219,6 +219,22 @@ CREATE TABLE map_line_attribute (
     name             TEXT NOT NULL,
     value            ANY,
     PRIMARY KEY (line_id, attribute_index)
+) STRICT, WITHOUT ROWID;
+
+-- Many scenarios that were asked for together. A run may belong to several studies: what links them is the scenario.
+CREATE TABLE study (
+    study_id  INTEGER PRIMARY KEY,
+    name      TEXT NOT NULL UNIQUE,
+    text      TEXT NOT NULL          -- the study file as it stood
+) STRICT;
+
+CREATE TABLE study_scenario (
+    study_id        INTEGER NOT NULL REFERENCES study ON DELETE CASCADE,
+    scenario_index  INTEGER NOT NULL,   -- place in the study, from 0
+    scenario_hash   TEXT NOT NULL,      -- of the scenario; empty: refused
+    inputs          TEXT NOT NULL,      -- JSON: what the study varied
+    refusal         TEXT NOT NULL,      -- why the scenario was refused as input; empty when it was not
+    PRIMARY KEY (study_id, scenario_index)
 ) STRICT, WITHOUT ROWID;
 
 -- Seconds spent in each phase of the step.

@@ -24,6 +24,8 @@ void add_profile_command(CLI::App& app, Command& command);
 void add_map_command(CLI::App& app, Command& command);
 void add_source_command(CLI::App& app, Command& command);
 void add_accuracy_command(CLI::App& app, Command& command);
+void add_sweep_command(CLI::App& app, Command& command);
+void add_merge_command(CLI::App& app, Command& command);
 void add_table_command(CLI::App& app, Command& command);
 void add_report_command(CLI::App& app, Command& command);
 void add_compare_command(CLI::App& app, Command& command);

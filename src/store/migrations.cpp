@@ -162,6 +162,21 @@ JOIN measure USING (run_id)
 WHERE run_status.is_result = 1
 GROUP BY ladder.ladder_id, ladder_run.series, ladder_run.setting, ladder_run.resolution;
 )"},
+        Migration{4, R"(
+CREATE TABLE study (
+    study_id INTEGER PRIMARY KEY,
+    name TEXT NOT NULL UNIQUE,
+    text TEXT NOT NULL
+) STRICT;
+CREATE TABLE study_scenario (
+    study_id INTEGER NOT NULL REFERENCES study ON DELETE CASCADE,
+    scenario_index INTEGER NOT NULL,
+    scenario_hash TEXT NOT NULL,
+    inputs TEXT NOT NULL,
+    refusal TEXT NOT NULL,
+    PRIMARY KEY (study_id, scenario_index)
+) STRICT, WITHOUT ROWID;
+)"},
     };
     return steps;
 }

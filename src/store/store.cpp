@@ -1,9 +1,11 @@
 #include "store/store.h"
 
 #include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <stdexcept>
 
 #include "core/input_error.h"
@@ -84,6 +86,54 @@ std::optional<StoredLadder> Store::find_ladder(const std::string& question_hash)
 
 std::vector<PilotRow> Store::pilots(long run_id) const {
     return impl_->with_database([=](SQLite::Database& database) { return select_pilots(database, run_id); });
+}
+
+long Store::begin_study(const std::string& name, const std::string& text) {
+    return impl_->with_database([&](SQLite::Database& database) {
+        SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+        const long study_id = study_row(database, name, text);
+        transaction.commit();
+        return study_id;
+    });
+}
+
+void Store::set_study_scenarios(long study_id, const std::vector<StudyScenario>& rows) {
+    impl_->with_database([&](SQLite::Database& database) {
+        SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+        runout::set_study_scenarios(database, study_id, rows);
+        transaction.commit();
+    });
+}
+
+std::vector<StoredStudy> Store::studies() const {
+    return impl_->with_database([](SQLite::Database& database) { return select_studies(database); });
+}
+
+std::vector<StudyRow> Store::study_rows(long study_id) const {
+    return impl_->with_database(
+        [=](SQLite::Database& database) { return select_study_rows(database, study_id); });
+}
+
+MergeCounts Store::merge(const std::string& path) {
+    if (std::filesystem::exists(path) && std::filesystem::equivalent(path, impl_->path))
+        throw InputError({.file = path, .line = 0, .key = {}, .value = {}}, "is the database to merge into",
+                         "give other databases");
+    open_for_reading(path);  // says what is wrong with it
+    return impl_->with_database([&](SQLite::Database& database) {
+        SQLite::Statement attach(database, "ATTACH DATABASE ? AS shard");
+        attach.bind(1, std::filesystem::absolute(path).string());
+        attach.exec();
+        try {
+            SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+            const MergeCounts counts = merge_attached(database, path);
+            transaction.commit();
+            database.exec("DETACH DATABASE shard");
+            return counts;
+        } catch (...) {
+            database.exec("DETACH DATABASE shard");
+            throw;
+        }
+    });
 }
 
 std::vector<StoredRun> Store::runs() const {

@@ -9,6 +9,8 @@
 
 #include "measures/measures.h"
 #include "scene/scene.h"
+#include "store/merge.h"
+#include "store/study_rows.h"
 
 namespace runout {
 
@@ -177,6 +179,18 @@ class Store {
              const std::vector<PilotRow>& pilots = {});
     /// Stores a study whose runs are stored, and returns its id.
     long add(const StoredLadder& ladder);
+
+    /// The id of the study of that name, which is made if absent. When its text has changed, what was said of
+    /// its scenarios is forgotten; runs stay.
+    long begin_study(const std::string& name, const std::string& text);
+    void set_study_scenarios(long study_id, const std::vector<StudyScenario>& rows);
+    [[nodiscard]] std::vector<StoredStudy> studies() const;
+    /// The scenarios of a study with the latest run of each, in the order of the study.
+    [[nodiscard]] std::vector<StudyRow> study_rows(long study_id) const;
+
+    /// Copies what is missing here from the results database at `path` (see store/merge.h). All or nothing.
+    /// Throws InputError.
+    MergeCounts merge(const std::string& path);
 
     /// All runs in the order they were stored.
     [[nodiscard]] std::vector<StoredRun> runs() const;
