@@ -48,8 +48,7 @@ std::vector<Entry> entries_of(const std::vector<StudyRow>& rows) {
         Entry& entry = entries.emplace_back();
         entry.row = &row;
         const Json inputs = Json::parse(row.scenario.inputs);
-        for (const auto& [key, value] : inputs.items())
-            entry.inputs[key] = label_of(value);
+        for (const auto& [key, value] : inputs.items()) entry.inputs[key] = label_of(value);
     }
     return entries;
 }
@@ -94,10 +93,12 @@ Labels labels_of(const std::vector<Entry>& entries, const std::string& word) {
     return labels;
 }
 
+/// Sections, then what the study varies, then what follows from them.
 std::vector<std::string> known_words(const std::vector<Entry>& entries) {
-    std::vector<std::string> words(row_words.begin(), row_words.end());
+    std::vector<std::string> words = {row_words.front()};
     if (!entries.empty())
         for (const auto& [key, value] : entries.front().inputs) words.push_back(key);
+    words.insert(words.end(), row_words.begin() + 1, row_words.end());
     return words;
 }
 
@@ -108,12 +109,20 @@ void check_word(const char* option, const std::string& word, const std::vector<E
                          fmt::format("valid: {}", fmt::join(words, ", ")));
 }
 
+/// Whether the two words tell the same scenarios apart, as an angle and the key that sets it do.
+bool say_the_same(const std::vector<Entry>& entries, const std::string& a, const std::string& b) {
+    std::set<std::pair<std::string, std::string>> pairs;
+    for (const Entry& entry : entries)
+        if (entry.row->run_id) pairs.insert({value_of(entry, a), value_of(entry, b)});
+    return pairs.size() == labels_of(entries, a).size() && pairs.size() == labels_of(entries, b).size();
+}
+
 /// The first word with some values, but not as many as a sampled one.
 std::string chosen_word(const std::vector<Entry>& entries, const std::string& except) {
     for (const std::string& word : known_words(entries)) {
-        if (word == except) continue;
         const std::size_t count = labels_of(entries, word).size();
-        if (count > 1 && count <= most_unasked) return word;
+        if (count < 2 || count > most_unasked) continue;
+        if (word != except && (except.empty() || !say_the_same(entries, word, except))) return word;
     }
     return except == "section" ? "source_type" : "section";
 }

@@ -30,8 +30,9 @@ Names columns_of(Database& database, const std::string& table) {
 Names tables_with(Database& database, const std::string& column) {
     Statement statement(
         database,
-        "SELECT name FROM main.sqlite_schema WHERE type = 'table' AND EXISTS"
-        " (SELECT 1 FROM pragma_table_info(sqlite_schema.name) WHERE name = ?) ORDER BY name");
+        "SELECT tables.name FROM main.sqlite_schema AS tables WHERE tables.type = 'table' AND EXISTS"
+        " (SELECT 1 FROM pragma_table_info(tables.name) AS columns WHERE columns.name = ?)"
+        " ORDER BY tables.name");
     statement.bind(1, column);
     Names names;
     while (statement.executeStep()) names.push_back(statement.getColumn(0).getString());
