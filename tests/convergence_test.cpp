@@ -179,5 +179,16 @@ TEST(ErrorBar, ScatterIsThatOfTheLatticesNearby) {
     EXPECT_NEAR(error_bar(c, ladder[0].spacing), 2, 1e-12);
 }
 
+TEST(ErrorBar, WithoutAnOrderIsThatOfFirstOrderOverAnOctave) {
+    // To and fro by more than the scatter, so neither plateau nor order.
+    const auto ladder = rungs({9, 10.2, 9.6, 10.1, 9.8, 10}, 0.01);
+    const Convergence c = judge_convergence(ladder, 0.001);
+    ASSERT_FALSE(c.fit->believed);
+    // The rung twice as coarse as the finest is 10.1 at spacing 1/sqrt(2)^3.
+    EXPECT_NEAR(c.uncertainty, std::hypot(1.25 * 0.1, 0.02), 1e-9);
+    EXPECT_GT(error_bar(c, ladder[0].spacing), 1);
+    EXPECT_LT(error_bar(c, ladder[0].spacing), 1.5);
+}
+
 }  // namespace
 }  // namespace runout

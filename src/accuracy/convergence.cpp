@@ -11,7 +11,8 @@ namespace {
 // Of 95 %, for a scatter that is normal.
 constexpr double coverage_factor = 2.0;
 constexpr std::size_t fewest_rungs = 3;
-constexpr int finer_spacings = 16;
+// Spacings that an error bar is looked for at, beyond the finest rung too.
+constexpr int spacings_per_octave = 16, finer_octaves = 4;
 // Coarser rungs hardly resolve the front and follow no power law: a fit through them would extrapolate their
 // error.
 constexpr std::size_t most_rungs_in_fit = 4;
@@ -87,6 +88,28 @@ double error_beside_plateau(const Convergence& convergence, std::span<const Rung
     return range + std::abs(value_at(convergence, spacing) - mean);
 }
 
+/// The finest rung and the nearest that is about twice as coarse: to first order the one is as far from the
+/// limit as the other from it. Where the means follow no order that can be trusted, this, with the safety
+/// factor of the grid convergence index, is the error of the finest rung.
+double error_over_an_octave(const Convergence& convergence, double spacing) {
+    const RungValue& finest = convergence.rungs.back();
+    const RungValue* coarse = &convergence.rungs.front();
+    for (const RungValue& rung : convergence.rungs)
+        if (std::abs(std::log(rung.spacing / finest.spacing / 2)) <
+            std::abs(std::log(coarse->spacing / finest.spacing / 2)))
+            coarse = &rung;
+    const double to_the_limit =
+        gci_safety_factor * std::abs(coarse->mean - finest.mean) / (coarse->spacing / finest.spacing - 1);
+    if (spacing <= finest.spacing) return to_the_limit * spacing / finest.spacing;
+    return to_the_limit + std::abs(value_at(convergence, spacing) - finest.mean);
+}
+
+double error_of_spacing(const Convergence& convergence, std::span<const RungValue> flat, double spacing) {
+    if (!flat.empty()) return error_beside_plateau(convergence, flat, spacing);
+    if (!convergence.fit->believed) return error_over_an_octave(convergence, spacing);
+    return refinement_uncertainty(*convergence.fit, spacing, value_at(convergence, spacing));
+}
+
 /// The mean differences between rungs, the finest last.
 struct Steps {
     double last = 0, before = 0;
@@ -150,14 +173,14 @@ std::string_view meaning(Verdict verdict) {
 double error_bar(const Convergence& convergence, double spacing) {
     if (!convergence.fit) return std::numeric_limits<double>::quiet_NaN();
     const auto flat = plateau(convergence.rungs, convergence.scatter);
+    const double finest = convergence.rungs.back().spacing;
+    const int last = static_cast<int>(std::ceil(spacings_per_octave * std::log2(spacing / finest) - 1e-6));
     // A coarse rung that happens to hit, or a fit that crosses its limit, is chance: no finer spacing may be
     // worse.
     double worst = 0;
-    for (int k = 1; k <= finer_spacings; ++k) {
-        const double finer = spacing * k / finer_spacings;
-        const double of_spacing =
-            flat.empty() ? refinement_uncertainty(*convergence.fit, finer, value_at(convergence, finer))
-                         : error_beside_plateau(convergence, flat, finer);
+    for (int k = std::min(last, 0) - finer_octaves * spacings_per_octave; k <= last; ++k) {
+        const double finer = finest * std::pow(2.0, static_cast<double>(k) / spacings_per_octave);
+        const double of_spacing = error_of_spacing(convergence, flat, finer);
         const double of_lattice = coverage_factor * scatter_at(convergence.rungs, finer);
         worst = std::max(worst, std::hypot(of_spacing, of_lattice));
     }

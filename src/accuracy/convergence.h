@@ -48,9 +48,11 @@ struct Convergence {
 Convergence judge_convergence(std::span<const RungValue> rungs, double target);
 
 /// Uncertainty (95 %) of one run with this spacing, of one lattice, from the ladder: the error of the spacing
-/// and twice the scatter of the lattices near it, as root of squares. Where the finest three rungs or more
-/// differ by no more than chance, the error of the spacing is their range and the distance from their mean;
-/// else it comes from the least-squares fit (Eca and Hoekstra 2014). NaN with too few rungs.
+/// and twice the scatter of the lattices near it, as root of squares; no smaller than at any finer spacing.
+/// The error of the spacing: where the finest three rungs or more differ by no more than chance, their range
+/// and the distance from their mean; else by the least-squares fit where that finds an order between 0.5
+/// and 2.1 (Eca and Hoekstra 2014); else of first order from the finest rung and the one twice as coarse. NaN
+/// with too few rungs.
 double error_bar(const Convergence& convergence, double spacing);
 
 }  // namespace runout

@@ -116,6 +116,7 @@ RefinementFit fit_refinement(std::span<const GridValue> values) {
         if (values.size() > 3) fits.push_back(first_and_second_order_fit(values));
         fit = least_deviation(fits);
     }
+    fit.believed = believed;
     fit.safety_factor = believed ? gci_safety_factor : wide_safety_factor;
     fit.observed_order = at_an_end ? std::numeric_limits<double>::quiet_NaN() : free.first_order;
     const auto [low, high] = std::ranges::minmax(values, {}, &GridValue::value);

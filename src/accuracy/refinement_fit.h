@@ -15,6 +15,7 @@ struct RefinementFit {
     double deviation = 0;       ///< standard deviation of the data from the fit
     double safety_factor = 3;   ///< of the discretisation error: 1.25 where an order was observed, else 3
     double range_per_step = 0;  ///< (greatest - least) / (number of data - 1), to judge `deviation` by
+    bool believed = false;      ///< the observed order is one that a method of first or second order shows
     double observed_order = 0;  ///< p of f0 + c h^p by least squares; NaN when there is none
 
     /// The fitted number at a spacing.
