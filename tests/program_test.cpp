@@ -191,7 +191,7 @@ TEST_F(ProgramTest, HelpKeysTellsEveryKeyWithRangeAndDefault) {
 TEST_F(ProgramTest, RefusesCommandLinesItDoesNotUnderstand) {
     expect_refused({}, {"subcommand"});
     expect_refused({"rnu", "case.toml"},
-                   {"rnu is not a subcommand", "run, profile, source, table, accuracy, map"});
+                   {"rnu is not a subcommand", "run, profile, source, sweep, merge, table, accuracy, map"});
     expect_refused({"run"}, {"FILE"});
     expect_refused({"run", "case.toml", "--angle", "3"}, {"--angle"});
     expect_refused({"run", "case.toml", "--friction-angle"}, {"--friction-angle"});
@@ -429,7 +429,7 @@ TEST_F(ProgramTest, RefusesTablesItCannotMake) {
     expect_refused({"table", "none.db"}, {"none.db"});
     expect_refused({"table", "section.csv"}, {"section.csv"});
     ASSERT_EQ(runout({"run", "case.toml"}).exit_code, 0);
-    expect_refused({"table", "runout.db", "--format", "xml"}, {"xml", "text, csv or json"});
+    expect_refused({"table", "runout.db", "--format", "xml"}, {"xml", "valid: text, csv, json"});
 }
 
 // --- bad input: every mistake of the issue

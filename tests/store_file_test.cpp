@@ -216,7 +216,7 @@ TEST_F(ForeignFile, NewerVersion) {
     add(example_scene(), example_result());
     raw().exec("PRAGMA user_version = 99");
     expect_refused(
-        "is of database version 99, written by a newer Runout; this Runout knows versions up to 4");
+        "is of database version 99, written by a newer Runout; this Runout knows versions up to 5");
 }
 
 TEST_F(ForeignFile, ImpossibleVersion) {
@@ -370,10 +370,11 @@ std::set<std::string> format_of(SQLite::Database& database) {
     return format;
 }
 
-/// The format as it is now without what version 4 added.
+/// The format as it is now without what versions 4 and 5 added.
 void take_back_to_version_three(SQLite::Database& database) {
     database.exec(
-        "DROP VIEW result; DROP VIEW ladder_rung; DROP TABLE pilot; DROP TABLE ladder_run;"
+        "DROP TABLE study_scenario; DROP TABLE study; DROP VIEW result; DROP VIEW ladder_rung; DROP TABLE "
+        "pilot; DROP TABLE ladder_run;"
         " DROP TABLE ladder_verdict; DROP TABLE ladder; PRAGMA user_version = 3");
     for (const char* column :
          {"peak_memory_mb", "machine", "accuracy_asked", "run_out_error_m", "reach_angle_error_deg",
@@ -409,7 +410,7 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     Store store(path, Store::Mode::write);
     SQLite::Database file = raw();
     EXPECT_EQ(format_of(file), wanted);
-    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 4);
+    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 5);
     EXPECT_EQ(store.run(id).appraisal.error_origin, "none");
     EXPECT_TRUE(std::isnan(store.run(id).appraisal.run_out_error_m));
     EXPECT_TRUE(store.ladders().empty());
