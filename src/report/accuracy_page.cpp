@@ -24,7 +24,7 @@ whether the soil, the shape of the source or plane strain are right. Empirical r
 
 This page is made from a database of studies, one for each scene:
 
-    runout accuracy CASE --target 1% --methods --check --threads 1 --db accuracy.db
+    runout accuracy CASE --target 1% --finest 64 --lattices 4 --budget 600 --methods --check --threads 1 --db accuracy.db
     runout accuracy --db accuracy.db --page docs/accuracy.md
 
 )";
@@ -35,8 +35,10 @@ constexpr const char* how_to_read = R"(
 *sqrt(S)/dl* is the number of particles along the square root of the area of the source. Each rung of a ladder is run on the regular
 lattice and on lattices that start off it at random; numbers are means, and what stands after +- is the standard deviation of one
 lattice: what the arrangement of the particles alone changes, and no refinement of a single run removes.
-*off the finest* compares with the mean of the finest rung. The *error bar* is that of one run: the uncertainty of the least-squares
-form of the convergence (Eca and Hoekstra 2014), with the lattice scatter.
+*off the finest* compares with the mean of the finest rung. The *error bar* is that of one run, 95 %: the error of the spacing and twice the
+scatter of the lattices near it, as root of squares. The error of the spacing is the range of the finest rungs where they differ by
+no more than chance; else it comes from the least-squares form of the convergence where that finds an order (Eca and Hoekstra 2014),
+else of first order from the finest rung and the one twice as coarse, with the safety factor 1.25 of the grid convergence index.
 
 The charts show the error of a single run (root mean square over lattices, against the finest rung) over its cost. The line
 *spacing* is the ladder with the default settings; the other lines turn one knob each at one spacing. A line that runs to the right
