@@ -579,5 +579,48 @@ TEST_F(StoreTest, WhatDiffersGetsItsOwnRow) {
     EXPECT_EQ(count("scenario"), 4);
 }
 
+// ---- studies
+
+TEST_F(StoreTest, AStudyListsItsScenariosWithTheLatestRunOfEach) {
+    const Scene scene = example_scene();
+    Store store(path, Store::Mode::write);
+    const long study = store.begin_study("cuts", "[vary]");
+    store.set_study_scenarios(study, {{2, "", "{\"a\": 3}", "too steep"},
+                                      {0, scenario_hash(scene), "{\"a\": 1}", ""},
+                                      {1, "not run yet", "{\"a\": 2}", ""}});
+    store.add(scene, example_result());
+    const long latest = store.add(scene, example_result());
+    RunResult interrupted = example_result();
+    interrupted.status = RunStatus::interrupted;
+    store.add(scene, interrupted);
+    const std::vector<StudyRow> rows = store.study_rows(study);
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(rows[0].run_id, latest);
+    EXPECT_TRUE(rows[0].is_result);
+    EXPECT_EQ(rows[0].run_out_m, example_result().measures.run_out_m);
+    EXPECT_FALSE(rows[1].run_id);
+    EXPECT_TRUE(std::isnan(rows[1].run_out_m));
+    EXPECT_EQ(rows[2].scenario.refusal, "too steep");
+    EXPECT_EQ(store.begin_study("cuts", "[vary]"), study);
+    EXPECT_EQ(store.studies().at(0).scenarios, 3);
+    EXPECT_EQ(store.begin_study("cuts", "[vary]\nanother = 1"), study);
+    EXPECT_TRUE(store.study_rows(study).empty()) << "what was said of a study that has changed is forgotten";
+    EXPECT_EQ(store.runs().size(), 3u);
+}
+
+// A million runs must not be looked through for one study.
+TEST_F(StoreTest, TheTableOfAStudyScansNothing) {
+    add(example_scene(), example_result());
+    SQLite::Database database = raw();
+    SQLite::Statement plan(database, "EXPLAIN QUERY PLAN " + study_rows_sql());
+    int searches = 0;
+    while (plan.executeStep()) {
+        const std::string step = plan.getColumn(3).getString();
+        EXPECT_FALSE(step.starts_with("SCAN ")) << step;
+        searches += step.starts_with("SEARCH ") ? 1 : 0;
+    }
+    EXPECT_GE(searches, 7);
+}
+
 }  // namespace
 }  // namespace runout
