@@ -34,7 +34,8 @@ constexpr std::size_t most_unasked = 12;
 /// A row of the study with its inputs read.
 struct Entry {
     const StudyRow* row = nullptr;
-    std::map<std::string, std::string> inputs;
+    std::map<std::string, std::string> inputs;  ///< as labels
+    std::map<std::string, double> numbers;      ///< those that are numbers
 };
 
 std::string label_of(const Json& value) {
@@ -48,7 +49,10 @@ std::vector<Entry> entries_of(const std::vector<StudyRow>& rows) {
         Entry& entry = entries.emplace_back();
         entry.row = &row;
         const Json inputs = Json::parse(row.scenario.inputs);
-        for (const auto& [key, value] : inputs.items()) entry.inputs[key] = label_of(value);
+        for (const auto& [key, value] : inputs.items()) {
+            entry.inputs[key] = label_of(value);
+            if (value.is_number()) entry.numbers[key] = value.get<double>();
+        }
     }
     return entries;
 }
@@ -241,14 +245,12 @@ std::vector<double> run_outs(const std::vector<Entry>& entries) {
 std::vector<VariedInput> varied_numbers(const std::vector<Entry>& entries) {
     std::vector<VariedInput> inputs;
     if (entries.empty()) return inputs;
-    const Json first_inputs = Json::parse(entries.front().row->scenario.inputs);
-    for (const auto& [key, first] : first_inputs.items()) {
-        if (!first.is_number()) continue;
+    for (const auto& [key, first] : entries.front().numbers) {
         VariedInput input{key, {}};
         for (const Entry& entry : entries) {
-            if (!entry.row->is_result) continue;
-            const Json value = Json::parse(entry.row->scenario.inputs).value(key, Json());
-            input.values.push_back(value.is_number() ? value.get<double>() : none);
+            const auto number = entry.numbers.find(key);
+            if (entry.row->is_result)
+                input.values.push_back(number == entry.numbers.end() ? none : number->second);
         }
         inputs.push_back(std::move(input));
     }
