@@ -15,6 +15,7 @@
 #include "measures/deposit.h"
 #include "measures/frames.h"
 #include "measures/gauges.h"
+#include "measures/peak_memory.h"
 #include "measures/series.h"
 #include "measures/snapshots.h"
 #include "scene/effect_settings.h"
@@ -211,6 +212,7 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
     const auto start = Clock::now();
     const double thread_start = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
     const double program_start = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+    const PeakMemory memory;
     Simulation simulation(scene);
     Recorders recorders(scene, simulation, control.frames);
     RunResult result;
@@ -246,6 +248,7 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
         result.phases.push_back(
             {to_string(static_cast<Phase>(p)), simulation.clock().seconds(static_cast<Phase>(p))});
     }
+    result.work.peak_memory_mb = memory.megabytes();
     result.work.wall_s = seconds_since(start);
     // A run of one thread may have others beside it in the same program.
     result.work.cpu_s = simulation.threads() == 1 ? cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - thread_start

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/accuracy_target.h"
 #include "scene/parameters.h"
 
 namespace runout {
@@ -18,7 +19,7 @@ struct Rivals {
 };
 
 /// Two ways to say the same thing.
-constexpr std::array<Rivals, 7> rivals = {{
+constexpr std::array<Rivals, 9> rivals = {{
     {"section.file", "section.raster"},
     {"section.file", "section.line"},
     {"section.feature_id", "section.where"},
@@ -26,6 +27,8 @@ constexpr std::array<Rivals, 7> rivals = {{
     {"effects.pore_pressure.ratio", "effects.pore_pressure.ratio_points"},
     {"effects.shaking.record", "effects.shaking.horizontal_coefficient"},
     {"effects.shaking.record", "effects.shaking.vertical_coefficient"},
+    {"run.accuracy", "run.resolution"},
+    {"run.accuracy", "run.particle_spacing_m"},
 }};
 
 struct Companions {
@@ -120,6 +123,7 @@ void check_keys_go_together(const CaseSpec& spec) {
     check_companions(spec);
     check_source_keys(spec);
     check_friction_keys(spec);
+    accuracy_target(spec.accuracy, spec.place("run.accuracy"));
 }
 
 }  // namespace runout

@@ -33,6 +33,7 @@ struct CaseSpec {
     Vec2 pseudo_static{0, 0};    ///< force on the soil over its weight, towards the run-out and upwards
     std::vector<Gauge> gauges;   ///< x: chainage still, NaN: not given
     RunSettings run;
+    std::string accuracy = "5%";  ///< of the run-out, for choosing a spacing that is not given
 
     /// Every key that was given: where, and what stood there. Keys that are absent here have their defaults.
     std::map<std::string, InputPlace, std::less<>> given;
