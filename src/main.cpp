@@ -21,6 +21,7 @@ constexpr const char* examples = R"(Examples:
   runout source section.csv --source C --height 12 --area 60
   runout table runout.db --format csv
   runout validate --quick
+  runout stress --scenes 200 --range slope_angle_deg=50:70
   runout help keys
 
 Exit codes: 0 settled or stable, 1 ended otherwise, 2 wrong input (nothing written), 3 internal error,
@@ -52,7 +53,7 @@ int parse_failure(const CLI::App& app, const CLI::ParseError& error, const std::
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
     if (!first_word.empty() && names_no_subcommand(app, first_word))
         return fail(exit_code::input_error, "error",
-                    fmt::format("{} is not a subcommand; known are run, source, table, validate and help",
+                    fmt::format("{} is not a subcommand; known are run, source, table, validate, stress and help",
                                 first_word));
     return fail(exit_code::input_error, "error", fmt::format("{}; see runout --help", error.what()));
 }
@@ -72,6 +73,7 @@ int run_program(int argc, char** argv) {
     add_source_command(app, command);
     add_table_command(app, command);
     add_validate_command(app, command);
+    add_stress_command(app, command);
     add_help_command(app, command);
     try {
         app.parse(argc, argv);

@@ -18,8 +18,8 @@ using Names = std::vector<std::string>;
 
 /// The arrow. A room may include itself and what stands before it; the program stands at the end.
 const Names& arrow() {
-    static const Names rooms = {"core",     "profile", "source",     "scene",  "engine",
-                                "measures", "store",   "validation", "report", "program"};
+    static const Names rooms = {"core",  "profile",    "source", "scene",  "engine", "measures",
+                                "store", "validation", "stress", "report", "program"};
     return rooms;
 }
 

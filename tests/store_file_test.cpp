@@ -367,9 +367,9 @@ std::set<std::string> format_of(SQLite::Database& database) {
     return format;
 }
 
-/// What a program of version 1 would have written: the format as it is now without what version 2 added.
+/// What a program of version 1 would have written: the format as it is now without what later ones added.
 void take_back_to_version_one(SQLite::Database& database) {
-    database.exec("DROP TABLE snapshot; DROP TABLE stage; PRAGMA user_version = 1");
+    database.exec("DROP TABLE snapshot; DROP TABLE stage; DROP TABLE invariant; PRAGMA user_version = 1");
     for (const char* column : {"lattice_seed", "snapshot_times_s", "base_friction_angle_deg",
                                "release_layers", "release_layer_width_m", "release_layer_height_m"})
         database.exec(std::string("ALTER TABLE scenario DROP COLUMN ") + column);
@@ -390,12 +390,13 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     Store store(path, Store::Mode::write);
     SQLite::Database file = raw();
     EXPECT_EQ(format_of(file), wanted);
-    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 2);
+    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 3);
     EXPECT_EQ(store.run(id).name, example_scene().name);
     EXPECT_EQ(store.run(id).measures.run_out_m, result.measures.run_out_m);
     EXPECT_EQ(store.series(id).size(), result.series.size());
     EXPECT_TRUE(store.snapshots(id).empty());
     EXPECT_TRUE(store.stages(id).empty());
+    EXPECT_TRUE(store.invariants(id).empty());
     EXPECT_EQ(count("scenario WHERE lattice_seed = 0 AND snapshot_times_s = '[]'"
                     " AND base_friction_angle_deg IS NULL AND release_layers IS NULL"),
               1);

@@ -23,6 +23,7 @@ void add_run_command(CLI::App& app, Command& command);
 void add_source_command(CLI::App& app, Command& command);
 void add_table_command(CLI::App& app, Command& command);
 void add_validate_command(CLI::App& app, Command& command);
+void add_stress_command(CLI::App& app, Command& command);
 void add_help_command(CLI::App& app, Command& command);
 
 }  // namespace runout

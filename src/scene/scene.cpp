@@ -89,6 +89,10 @@ void check_friction_angle(const CaseSpec& spec) {
     if (std::isnan(spec.material.friction_angle))
         throw InputError(spec.place("material.friction_angle_deg"), "is missing",
                          "give the internal friction angle, 0 <= number < 80 deg");
+    if (spec.material.friction_angle == 0 && spec.run.time_limit <= 0)
+        throw InputError(spec.place("material.friction_angle_deg"),
+                         "leaves nothing that would bring the mass to rest",
+                         "give run.time_limit_s as well, and the run ends there");
 }
 
 }  // namespace

@@ -39,6 +39,18 @@ CREATE TABLE stage (
     PRIMARY KEY (run_id, row_index)
 ) STRICT, WITHOUT ROWID;
 )"},
+        Migration{2, R"(
+CREATE TABLE invariant (
+    run_id INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    invariant TEXT NOT NULL,
+    invariant_index INTEGER NOT NULL,
+    worst REAL,
+    limit_value REAL NOT NULL,
+    time_s REAL,
+    x_m REAL,
+    PRIMARY KEY (run_id, invariant)
+) STRICT, WITHOUT ROWID;
+)"},
     };
     return steps;
 }

@@ -48,6 +48,7 @@ long Store::add(const Scene& scene, const RunResult& result) {
         insert_snapshots(database, run_id, result.snapshots);
         insert_stages(database, run_id, result.stages);
         insert_phases(database, run_id, result.phases);
+        insert_invariants(database, run_id, result.invariants);
         transaction.commit();
         return run_id;
     });
@@ -90,6 +91,11 @@ std::vector<DepositRow> Store::deposit(long run_id) const {
 
 std::vector<PhaseTime> Store::phases(long run_id) const {
     return impl_->with_database([=](SQLite::Database& database) { return select_phases(database, run_id); });
+}
+
+std::vector<InvariantRow> Store::invariants(long run_id) const {
+    return impl_->with_database(
+        [=](SQLite::Database& database) { return select_invariants(database, run_id); });
 }
 
 }  // namespace runout

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace runout {
+
+/// A named scene of the stability suite. A failure that was found once becomes one and stays.
+struct HardScene {
+    std::string name;
+    bool quick = false;           ///< part of every test run; the others belong to the full suite
+    std::function<Scene()> make;  ///< with one thread
+};
+
+std::vector<HardScene> hard_scenes();
+
+}  // namespace runout

@@ -1,0 +1,80 @@
+// Named hard scenes: each settles by itself with every invariant kept, and its deposit then stands.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/simulation.h"
+#include "hard/hard_scenes.h"
+
+namespace runout {
+namespace {
+
+std::vector<Vec2> positions_by_id(const Simulation& simulation) {
+    const StateView state = simulation.state();
+    std::vector<Vec2> positions(state.x.size());
+    for (std::size_t i = 0; i < state.x.size(); ++i) positions[state.id[i]] = {state.x[i], state.y[i]};
+    return positions;
+}
+
+/// Height of the source above the lowest bed, m.
+double fall_height(const Scene& scene) {
+    double top = scene.source.outline.front().y();
+    double floor = scene.source.bed.front().y();
+    for (const Vec2& p : scene.source.outline) top = std::max(top, p.y());
+    for (const Vec2& p : scene.source.bed) floor = std::min(floor, p.y());
+    return top - floor;
+}
+
+/// Distances between two states in spacings, in rising order.
+std::vector<double> moved_spacings(const std::vector<Vec2>& from, const std::vector<Vec2>& to,
+                                   double spacing) {
+    std::vector<double> moved;
+    for (std::size_t i = 0; i < from.size(); ++i) moved.push_back((to[i] - from[i]).norm() / spacing);
+    std::ranges::sort(moved);
+    return moved;
+}
+
+class HardSceneTest : public testing::TestWithParam<HardScene> {};
+
+TEST_P(HardSceneTest, SettlesAndThenStands) {
+    const Scene scene = GetParam().make();
+    Simulation simulation(scene);
+    const std::size_t particles = simulation.state().x.size();
+    while (simulation.status() == RunStatus::running) simulation.step();
+    ASSERT_TRUE(is_result(simulation.status()))
+        << to_string(simulation.status()) << ": " << simulation.status_detail();
+    if (!scene.effects.release) {
+        EXPECT_EQ(simulation.state().x.size(), particles);
+    }
+    for (int k = 0; k < static_cast<int>(Invariant::count); ++k) {
+        const InvariantReading& reading = simulation.invariants()[static_cast<std::size_t>(k)];
+        EXPECT_LE(reading.worst, reading.limit) << to_string(static_cast<Invariant>(k));
+    }
+
+    const std::vector<Vec2> deposit = positions_by_id(simulation);
+    const double end = simulation.time() + 100 * std::sqrt(fall_height(scene) / scene.run.gravity);
+    while (simulation.time() < end) simulation.step();
+    const double spacing = simulation.state().discretisation->spacing;
+    const std::vector<double> moved = moved_spacings(deposit, positions_by_id(simulation), spacing);
+    EXPECT_LT(moved.back(), 1.0) << "creep in spacings";
+    RecordProperty("creep_spacings", std::to_string(moved.back()));
+}
+
+std::string name_of(const testing::TestParamInfo<HardScene>& info) {
+    return info.param.name;
+}
+
+std::vector<HardScene> scenes_where(bool quick) {
+    std::vector<HardScene> chosen;
+    for (const HardScene& scene : hard_scenes())
+        if (scene.quick == quick) chosen.push_back(scene);
+    return chosen;
+}
+
+INSTANTIATE_TEST_SUITE_P(Quick, HardSceneTest, testing::ValuesIn(scenes_where(true)), name_of);
+INSTANTIATE_TEST_SUITE_P(Full, HardSceneTest, testing::ValuesIn(scenes_where(false)), name_of);
+
+}  // namespace
+}  // namespace runout
