@@ -82,8 +82,10 @@ TEST_F(StoreTest, StressRunsAreStoredAndTheSameForAnyNumberOfJobs) {
         if (axis.name == "resolution") axis.high = axis.low = 5;
     const auto points = stress_points(axes, 12, 5);
     Store store(path, Store::Mode::write);
-    const auto one = run_stress(points, 5, store, {.jobs = 1, .interrupt = nullptr, .on_run = {}});
-    const auto two = run_stress(points, 5, store, {.jobs = 2, .interrupt = nullptr, .on_run = {}});
+    const auto one =
+        run_stress(points, 5, store, {.jobs = 1, .settings = {}, .interrupt = nullptr, .on_run = {}});
+    const auto two =
+        run_stress(points, 5, store, {.jobs = 2, .settings = {}, .interrupt = nullptr, .on_run = {}});
     long ran = 0;
     for (std::size_t k = 0; k < points.size(); ++k) {
         ASSERT_EQ(one[k].result.has_value(), two[k].result.has_value());
@@ -95,6 +97,21 @@ TEST_F(StoreTest, StressRunsAreStoredAndTheSameForAnyNumberOfJobs) {
     }
     EXPECT_GT(ran, 4);
     EXPECT_EQ(count("run"), 2 * ran);
+}
+
+TEST_F(StoreTest, StressTakesSettingsOfARunAndNoOthers) {
+    const auto points = stress_points(stress_axes(), 1, 5);
+    Store store(path, Store::Mode::write);
+    const auto with = [&](const std::string& key, const std::string& value) {
+        return refusal([&] {
+            run_stress(points, 5, store,
+                       {.jobs = 1, .settings = {{key, value}}, .interrupt = nullptr, .on_run = {}});
+        });
+    };
+    EXPECT_TRUE(contains(with("run.courant", "2"), "--set: run.courant = 2"));
+    EXPECT_TRUE(contains(with("material.friction_angle_deg", "30"), "is not a key of a run"));
+    EXPECT_EQ(count("run"), 0);
+    EXPECT_EQ(with("run.time_limit_s", "1e-6"), "");
 }
 
 TEST(StressTable, CountsEndingsAndShowsWhatIsNotSound) {

@@ -21,6 +21,7 @@ struct StressArguments {
     int scenes = 100;
     std::uint64_t seed = 1;
     std::vector<std::string> ranges;
+    std::vector<std::string> settings;
     std::string database = "stress.db";
     int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     bool quiet = false;
@@ -59,6 +60,14 @@ void narrow(std::vector<StressAxis>& axes, const std::string& text) {
     axis->high = *high;
 }
 
+std::pair<std::string, std::string> split(const std::string& setting) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos)
+        throw InputError({.file = "--set", .line = 0, .key = {}, .value = setting}, "is not key=value",
+                         "write --set run.courant=0.2");
+    return {setting.substr(0, equals), setting.substr(equals + 1)};
+}
+
 int stress(const StressArguments& arguments) {
     if (arguments.quiet) spdlog::set_level(spdlog::level::err);
     std::vector<StressAxis> axes = stress_axes();
@@ -67,6 +76,7 @@ int stress(const StressArguments& arguments) {
     InterruptWatch interrupt;
     StressOptions options;
     options.jobs = arguments.jobs;
+    for (const std::string& setting : arguments.settings) options.settings.push_back(split(setting));
     options.interrupt = &interrupt.requested();
     options.on_run = [](int done, int total) {
         if (done % 50 == 0 || done == total) spdlog::info("{} of {} scenes", done, total);
@@ -101,6 +111,10 @@ void add_stress_command(CLI::App& app, Command& command) {
         ->capture_default_str();
     sub->add_option("--range", arguments->ranges, "Narrow an axis, or fix it; may be repeated")
         ->type_name("axis=LOW:HIGH")
+        ->allow_extra_args(false);
+    sub->add_option("--set", arguments->settings,
+                    "Any key run.* of a case file, for all scenes; may be repeated")
+        ->type_name("key=value")
         ->allow_extra_args(false);
     sub->add_option("--db", arguments->database, "Database that takes the runs; made if absent")
         ->type_name("PATH")

@@ -9,11 +9,25 @@
 
 #include "core/input_error.h"
 #include "measures/run.h"
+#include "scene/case_file.h"
 #include "store/store.h"
 #include "stress/stress_scene.h"
 
 namespace runout {
 namespace {
+
+/// The settings of a run as a case file would give them.
+RunSettings settings_for(RunSettings run, const StressOptions& options) {
+    CaseSpec spec;
+    spec.run = std::move(run);
+    for (const auto& [key, value] : options.settings) {
+        if (!key.starts_with("run."))
+            throw InputError({.file = "--set", .line = 0, .key = key, .value = value},
+                             "is not a key of a run", "give one that begins with run.");
+        override_value(spec, key, value, "--set");
+    }
+    return spec.run;
+}
 
 std::optional<Scene> scene_or_refusal(StressOutcome& outcome, std::uint64_t seed) {
     try {
@@ -32,6 +46,7 @@ bool is_sound(const StressOutcome& outcome) {
 
 std::vector<StressOutcome> run_stress(const std::vector<StressPoint>& points, std::uint64_t seed,
                                       Store& store, const StressOptions& options) {
+    settings_for({}, options);  // a mistake is found before the first run
     const int count = static_cast<int>(points.size());
     std::vector<StressOutcome> outcomes(points.size());
     std::atomic<int> next{0};
@@ -44,7 +59,8 @@ std::vector<StressOutcome> run_stress(const std::vector<StressPoint>& points, st
         outcome.point = points[k];
         RunControl control;
         control.interrupt = options.interrupt;
-        const std::optional<Scene> scene = scene_or_refusal(outcome, seed);
+        std::optional<Scene> scene = scene_or_refusal(outcome, seed);
+        if (scene) scene->run = settings_for(scene->run, options);
         if (scene) outcome.result = run_scene(*scene, control);
         const std::scoped_lock lock(mutex);
         if (outcome.result) {

@@ -23,11 +23,14 @@ struct StressOutcome {
 
 struct StressOptions {
     int jobs = 1;
+    /// Keys "run.*" of a case file and their values, for all scenes; in place of the defaults.
+    std::vector<std::pair<std::string, std::string>> settings;
     const std::atomic<bool>* interrupt = nullptr;
     std::function<void(int done, int total)> on_run;  ///< may be empty; called by one thread at a time
 };
 
 /// Runs every point that is valid input and stores it in `store` under the name "stress-<seed>-<index>".
+/// Throws InputError when a setting is not one of a run.
 std::vector<StressOutcome> run_stress(const std::vector<StressPoint>& points, std::uint64_t seed,
                                       Store& store, const StressOptions& options);
 
