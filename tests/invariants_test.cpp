@@ -77,7 +77,7 @@ TEST(Invariants, ParticlesAreCounted) {
 
 TEST(Invariants, SpeedIsBoundedByTheFall) {
     HandMade state;
-    state.soil.vx[3] = 2.1 * std::sqrt(2 * g * height);
+    state.soil.vx[3] = 4.1 * std::sqrt(2 * g * height);
     state.observe();
     EXPECT_TRUE(begins_with(state.violation(), "speed at t = 0.5 s, x = 0.3 m")) << state.violation();
 }

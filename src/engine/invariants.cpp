@@ -18,7 +18,7 @@ struct Rule {
 constexpr std::array<Rule, static_cast<int>(Invariant::count)> rules = {{
     {"particles", 0.0, "particles lost or doubled"},
     {"penetration", 0.5, "depth of a particle in the bed, in spacings"},
-    {"speed", 2.0, "greatest speed / sqrt(2 g H)"},
+    {"speed", 4.0, "greatest speed / sqrt(2 g H)"},
     {"energy_rise", 0.01, "rise of the mechanical energy / (M g H)"},
     {"energy_balance", 0.02, "energy lost that no work accounts for / (M g H)"},
     {"density", 0.5, "excess of the densest particle over rho_0"},

@@ -116,6 +116,13 @@ void require_on_section(const Polyline& ground, double x, const char* key, doubl
                      fmt::format("give a chainage between {:.12g} and {:.12g}", low, high));
 }
 
+/// A coordinate of almost nothing is nothing: exact arithmetic on numbers near the smallest double leaves its
+/// intervals.
+Vec2 without_dust(const Vec2& p) {
+    constexpr double dust_m = 1e-12;
+    return {std::abs(p.x()) < dust_m ? 0.0 : p.x(), std::abs(p.y()) < dust_m ? 0.0 : p.y()};
+}
+
 /// Makes sure the ground has a point at x, and returns where: an old point that is as good as there stays the
 /// only one.
 double insert_point(Polyline& ground, double x) {
@@ -209,7 +216,7 @@ Profile make_profile(const std::vector<Vec2>& points, const std::vector<int>& li
     const Vec2 toe = ground[profile.toe];
     profile.toe_chainage_m = sign * toe.x() + 0.0;  // + 0.0: a mirrored zero is not to print as -0
     profile.toe_elevation_m = toe.y();
-    for (Vec2& p : ground) p -= toe;
+    for (Vec2& p : ground) p = without_dust(p - toe);
     profile.ground = std::move(ground);
     return profile;
 }
