@@ -96,13 +96,13 @@ void InvariantWatch::observe(const Soil& soil, const std::vector<double>& densit
     for (int i = 0; i < soil.count; ++i) {
         const double v2 = soil.vx[i] * soil.vx[i] + soil.vy[i] * soil.vy[i];
         energy += 0.5 * v2 + scales_.gravity * soil.y[i];
-        if (!(v2 <= speed2)) {
+        if (!(v2 <= speed2) && !std::isnan(speed2)) {  // what is no number stays
             speed2 = v2;
             fastest = i;
         }
         if (density[i] > 1.0) excess += density[i] - 1.0;
         if (density[i] > density[densest]) densest = i;
-        if (!(soil.pressure[i] >= lowest_pressure)) {
+        if (!(soil.pressure[i] >= lowest_pressure) && !std::isnan(lowest_pressure)) {
             lowest_pressure = soil.pressure[i];
             lowest = i;
         }

@@ -194,6 +194,7 @@ void Simulation::correct(double dt) {
             const double mean_y = 0.5 * (vy + soil_.vy[i]);
             work.friction -= fx * mean_x + fy * mean_y;
             work.pressure += px * mean_x + py * mean_y;
+            work.integration += dt * run_.gravity * (mean_y - vy);
             soil_.vx[i] = vx;
             soil_.vy[i] = vy;
         }
@@ -202,6 +203,7 @@ void Simulation::correct(double dt) {
     const StepWork work = sum_pieces(soil_.count, threads_, partial_work_, update);
     friction_work_ += discretisation_.mass() * work.friction;
     pressure_work_ += discretisation_.mass() * work.pressure;
+    integration_work_ += discretisation_.mass() * work.integration;
 }
 
 /// x += dt v^{n+1}: the mean of old and new velocity collapses the pile.
@@ -275,8 +277,8 @@ void Simulation::end(RunStatus status, std::string detail) {
 /// Ends the run at rest, at the time limit, or with the name of what went wrong.
 void Simulation::judge(StepFacts& facts) {
     facts.time = time_;
-    facts.work_done =
-        (friction_work_ - pressure_work_ + guard_work_) / (discretisation_.mass() * soil_.count);
+    facts.work_done = (friction_work_ - pressure_work_ + guard_work_ + integration_work_) /
+                      (discretisation_.mass() * soil_.count);
     invariants_.observe(soil_, neighbours_.density, facts);
     const InvariantReading& residual = invariants_.readings()[static_cast<std::size_t>(Invariant::residual)];
     if (residual.worst > residual.limit) {

@@ -38,12 +38,14 @@ struct EnergyBudget {
     double guard_work = 0;     ///< taken from the motion at the bed line since release
 };
 
-/// What friction took and pressure gave within one step, per mass of one particle, J/kg.
+/// What friction took, pressure gave, and the integration in time lost within one step, per mass of one
+/// particle, J/kg.
 struct StepWork {
-    double friction = 0, pressure = 0;
+    double friction = 0, pressure = 0, integration = 0;
     StepWork& operator+=(const StepWork& other) {
         friction += other.friction;
         pressure += other.pressure;
+        integration += other.integration;
         return *this;
     }
 };
@@ -144,6 +146,8 @@ class Simulation {
     double friction_work_ = 0;
     double pressure_work_ = 0;
     double guard_work_ = 0;
+    double integration_work_ =
+        0;  ///< lost because gravity acts on the mean velocity and moves with the new one
     int unconverged_in_a_row_ = 0;
     WorkCounts work_;
     RunStatus status_ = RunStatus::running;
