@@ -18,7 +18,7 @@ std::vector<StressAxis> stress_axes() {
         {"hillside_shape", &P::hillside_shape, 0, shapes, false,
          "plain, retaining wall, concave toe, convex crest, berms, notch, steps: by the whole part"},
         {"slope_angle_deg", &P::slope_angle_deg, 20, 90, false, "inclination of the face"},
-        {"friction_angle_deg", &P::friction_angle_deg, 0, 60, false, "internal friction angle"},
+        {"friction_angle_deg", &P::friction_angle_deg, 5, 60, false, "internal friction angle"},
         {"base_friction_share", &P::base_friction_share, 0, 3, false,
          "friction angle of the base over internal; 1 and more: none of its own"},
         {"drop_height_ratio", &P::drop_height_ratio, 0.5, 50, true, "drop height over sqrt(S)"},

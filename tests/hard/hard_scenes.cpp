@@ -124,7 +124,7 @@ void add_impacts(Scenes& scenes) {
 }
 
 void add_frictions(Scenes& scenes) {
-    for (const int angle : {2, 5, 50, 60}) {
+    for (const int angle : {5, 50, 60}) {
         add(scenes, angle == 5 || angle == 60, fmt::format("friction_{}", angle),
             [=](StressPoint& p) { p.friction_angle_deg = angle; });
         add(scenes, false, fmt::format("friction_{}_fall_20", angle), [=](StressPoint& p) {
