@@ -52,9 +52,10 @@ bool names_no_subcommand(const CLI::App& app, const std::string& word) {
 int parse_failure(const CLI::App& app, const CLI::ParseError& error, const std::string& first_word) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
     if (!first_word.empty() && names_no_subcommand(app, first_word))
-        return fail(exit_code::input_error, "error",
-                    fmt::format("{} is not a subcommand; known are run, source, table, validate, stress and help",
-                                first_word));
+        return fail(
+            exit_code::input_error, "error",
+            fmt::format("{} is not a subcommand; known are run, source, table, validate, stress and help",
+                        first_word));
     return fail(exit_code::input_error, "error", fmt::format("{}; see runout --help", error.what()));
 }
 
