@@ -8,7 +8,7 @@
 -- A change of the format raises user_version and adds a step to src/store/migrations.cpp.
 
 PRAGMA application_id = 1381322319;  -- the letters RUNO
-PRAGMA user_version = 3;
+PRAGMA user_version = 4;
 
 -- The ground along a section before the failure. Two files with the same ground share one row, so the name
 -- of the file belongs to the run.
@@ -126,9 +126,37 @@ CREATE TABLE run (
     simulated_s             REAL,
     wall_s                  REAL,
     cpu_s                   REAL,
-    threads                 INTEGER NOT NULL        -- used by this run
+    threads                 INTEGER NOT NULL,       -- used by this run
+    line_id                 INTEGER REFERENCES map_line   -- where it lies; NULL: the section came from a CSV
 ) STRICT;
 CREATE INDEX run_of_scenario ON run (scenario_id);
+
+-- Where a section lies on a map. Two sections with the same ground may lie in two places, so the line belongs
+-- to the run and is no part of the identity of its scenario.
+CREATE TABLE map_line (
+    line_id    INTEGER PRIMARY KEY,
+    line_hash  TEXT NOT NULL UNIQUE,    -- SHA-256 of all of it
+    crs        TEXT NOT NULL            -- coordinate system, WKT 2
+) STRICT;
+
+-- Between two points the line is straight, and chainage grows in proportion.
+CREATE TABLE map_line_point (
+    line_id      INTEGER NOT NULL REFERENCES map_line ON DELETE CASCADE,
+    point_index  INTEGER NOT NULL,
+    chainage_m   REAL NOT NULL,         -- as in the section
+    x            REAL NOT NULL,         -- easting or longitude, in units of the coordinate system
+    y            REAL NOT NULL,         -- northing or latitude
+    PRIMARY KEY (line_id, point_index)
+) STRICT, WITHOUT ROWID;
+
+-- What the map said of the line, such as the number of the slope.
+CREATE TABLE map_line_attribute (
+    line_id          INTEGER NOT NULL REFERENCES map_line ON DELETE CASCADE,
+    attribute_index  INTEGER NOT NULL,
+    name             TEXT NOT NULL,
+    value            ANY,
+    PRIMARY KEY (line_id, attribute_index)
+) STRICT, WITHOUT ROWID;
 
 -- Seconds spent in each phase of the step.
 CREATE TABLE phase_time (
@@ -209,6 +237,29 @@ CREATE TABLE snapshot (
     vx_m_s       BLOB NOT NULL,
     vy_m_s       BLOB NOT NULL,
     pressure_pa  BLOB NOT NULL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT;
+
+-- Pictures of the moving mass, local frame, for the animation of a report: six bytes a particle, at most about
+-- 4000 particles, enough to look at and not to compute with. value = low + code * step. A particle has the same
+-- place in every picture of a run. In x and y a code is an unsigned 16-bit integer, little-endian, in speed and
+-- pressure an unsigned byte.
+CREATE TABLE frame (
+    run_id             INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index          INTEGER NOT NULL,
+    time_s             REAL NOT NULL,
+    x_low_m            REAL NOT NULL,
+    x_step_m           REAL NOT NULL,
+    y_low_m            REAL NOT NULL,
+    y_step_m           REAL NOT NULL,
+    speed_low_m_s      REAL NOT NULL,
+    speed_step_m_s     REAL NOT NULL,
+    pressure_low_pa    REAL NOT NULL,
+    pressure_step_pa   REAL NOT NULL,
+    x                  BLOB NOT NULL,
+    y                  BLOB NOT NULL,
+    speed              BLOB NOT NULL,
+    pressure           BLOB NOT NULL,
     PRIMARY KEY (run_id, row_index)
 ) STRICT;
 

@@ -20,6 +20,10 @@ constexpr const char* examples = R"(Examples:
   runout run case.toml --set material.friction_angle_deg=35 --db study.db --json
   runout source section.csv --source C --height 12 --area 60
   runout table runout.db --format csv
+  runout profile sections.gpkg --raster dem.tif
+  runout map runout.db -o results.gpkg
+  runout report runout.db --run 3 -o report.html
+  runout compare runout.db --width 20
   runout validate --quick
   runout stress --scenes 200 --range slope_angle_deg=50:70
   runout help keys
@@ -49,13 +53,18 @@ bool names_no_subcommand(const CLI::App& app, const std::string& word) {
            app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == word; }).empty();
 }
 
+std::string known_subcommands(const CLI::App& app) {
+    std::string names;
+    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+        names += (names.empty() ? "" : ", ") + sub->get_name();
+    return names;
+}
+
 int parse_failure(const CLI::App& app, const CLI::ParseError& error, const std::string& first_word) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
     if (!first_word.empty() && names_no_subcommand(app, first_word))
-        return fail(
-            exit_code::input_error, "error",
-            fmt::format("{} is not a subcommand; known are run, source, table, validate, stress and help",
-                        first_word));
+        return fail(exit_code::input_error, "error",
+                    fmt::format("{} is not a subcommand; known are {}", first_word, known_subcommands(app)));
     return fail(exit_code::input_error, "error", fmt::format("{}; see runout --help", error.what()));
 }
 
@@ -71,8 +80,14 @@ int run_program(int argc, char** argv) {
 
     Command command;
     add_run_command(app, command);
+    add_profile_command(app, command);
     add_source_command(app, command);
     add_table_command(app, command);
+    add_map_command(app, command);
+    add_report_command(app, command);
+    add_compare_command(app, command);
+    add_export_command(app, command);
+    add_back_analysis_command(app, command);
     add_validate_command(app, command);
     add_stress_command(app, command);
     add_help_command(app, command);

@@ -18,8 +18,8 @@ using Names = std::vector<std::string>;
 
 /// The arrow. A room may include itself and what stands before it; the program stands at the end.
 const Names& arrow() {
-    static const Names rooms = {"core",  "profile",    "source", "scene",  "engine", "measures",
-                                "store", "validation", "stress", "report", "program"};
+    static const Names rooms = {"core",     "gis",   "profile",    "source", "scene",  "engine",
+                                "measures", "store", "validation", "stress", "report", "program"};
     return rooms;
 }
 
@@ -32,7 +32,7 @@ struct Library {
 const std::vector<Library>& heavy_libraries() {
     static const std::vector<Library> libraries = {
         {"CGAL", std::regex("^CGAL/.*"), {"source/polygons.cpp"}},
-        {"GDAL", std::regex("^(gdal|ogr|cpl_|gnm|vrtdataset).*"), {"profile/read_dem.cpp"}},
+        {"GDAL", std::regex("^(gdal|ogr|cpl_|gnm|vrtdataset).*"), {"gis"}},
         {"CHOLMOD",
          std::regex("^(suitesparse/)?(cholmod|SuiteSparse|umfpack|amd|colamd).*|^Eigen/CholmodSupport"),
          {"engine"}},

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <string>
 
@@ -14,8 +15,12 @@ namespace {
 /// The case plans no runs, so the store stays empty.
 const CaseReport& report() {
     static const CaseReport made = [] {
-        const Store store(":memory:", Store::Mode::write);
-        return numerics_case().evaluate(CaseRuns(store, {}), "cases/numerics", true);
+        const std::string path =
+            (std::filesystem::temp_directory_path() / "runout_numerics_test.db").string();
+        const Store store(path, Store::Mode::write);
+        CaseReport evaluated = numerics_case().evaluate(CaseRuns(store, {}), "cases/numerics", true);
+        std::filesystem::remove(path);
+        return evaluated;
     }();
     return made;
 }

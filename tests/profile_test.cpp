@@ -53,9 +53,6 @@ class ProfileFiles : public testing::Test {
     [[nodiscard]] std::string csv_error(const std::string& text) const {
         return error_of([&] { read_profile_csv(write("section.csv", text), {}); });
     }
-    [[nodiscard]] std::string dem_error(const DemLine& dem) const {
-        return error_of([&] { read_profile_dem(dem, {}); });
-    }
 
   private:
     std::filesystem::path directory_;
@@ -289,84 +286,6 @@ TEST(Profile, ShippedSectionsAreCutsWithRoomToRunOut) {
         }
     }
     EXPECT_GE(sections, 10);
-}
-
-// ---- DEM: a plane z = 100 + 2 column + row on cells of 10 m; bilinear interpolation is exact on it
-
-std::string plane_raster(const std::string& hole = "") {
-    std::string text =
-        "ncols 11\nnrows 5\nxllcorner 499950\nyllcorner -20\ncellsize 10\nNODATA_value -9999\n";
-    for (int row = 0; row < 5; ++row)
-        for (int column = 0; column < 11; ++column) {
-            const bool gap = !hole.empty() && row == 2 && column == 5;
-            text +=
-                (gap ? hole : std::to_string(100 + 2 * column + row) + ".0") + (column == 10 ? "\n" : " ");
-        }
-    return text;
-}
-
-std::string geojson(const std::string& type, const std::string& coordinates) {
-    return R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":")" +
-           type + R"(","coordinates":)" + coordinates + "}}]}";
-}
-
-TEST_F(ProfileFiles, DemIsSampledBilinearlyAlongTheLine) {
-    const DemLine dem{write("z.asc", plane_raster()),
-                      write("line.geojson", geojson("LineString", "[[499960,5],[500040,5]]")), 7};
-    const Profile p = read_profile_dem(dem, {});
-    ASSERT_EQ(p.ground.size(), 13u);  // 80 m in 12 steps of no more than 7 m
-    EXPECT_FALSE(p.descends_with_chainage);
-    for (std::size_t i = 0; i < p.ground.size(); ++i) {
-        const Vec2 at = p.to_section(p.ground[i]);
-        const double column = (at.x() + 10) / 10 - 0.5;     // first point 10 m from the raster's left edge
-        EXPECT_NEAR(at.y(), 100 + 2 * column + 2.0, 1e-9);  // y = 5: the centre of row 2
-        EXPECT_NEAR(at.x(), 80.0 - 80.0 * static_cast<double>(i) / 12, 1e-9);
-    }
-    EXPECT_PRED2(contains, p.origin, "line.geojson");
-}
-
-TEST_F(ProfileFiles, DemWithoutSamplingTakesHalfACell) {
-    const DemLine dem{write("z.asc", plane_raster()),
-                      write("line.geojson", geojson("LineString", "[[499960,5],[500040,5]]")), 0};
-    EXPECT_EQ(read_profile_dem(dem, {}).ground.size(), 17u);
-}
-
-TEST_F(ProfileFiles, DemBringsTheLineToTheRaster) {
-    // Degrees on the central meridian of UTM zone 50N, whose scale is 0.9996: 1e-4 deg of longitude at the
-    // equator.
-    write(
-        "z.prj",
-        R"(PROJCS["WGS 84 / UTM zone 50N",GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],PARAMETER["latitude_of_origin",0],PARAMETER["central_meridian",117],PARAMETER["scale_factor",0.9996],PARAMETER["false_easting",500000],PARAMETER["false_northing",0],UNIT["metre",1]])");
-    const DemLine dem{write("z.asc", plane_raster()),
-                      write("line.geojson", geojson("LineString", "[[117.0,0.00001],[117.0002,0.00001]]")),
-                      0};
-    const Profile p = read_profile_dem(dem, {});
-    EXPECT_NEAR(p.ground.back().x() - p.ground.front().x(), 6378137 * 0.9996 * radians(0.0002), 1e-3);
-    EXPECT_NEAR(p.to_section(p.ground.back()).y(), 100 + 2 * 4.5 + (30 - 1.1057) / 10 - 0.5, 0.01);
-}
-
-TEST_F(ProfileFiles, DemErrors) {
-    const std::string raster = write("z.asc", plane_raster());
-    const std::string line = write("line.geojson", geojson("LineString", "[[499960,5],[500040,5]]"));
-    EXPECT_PRED2(contains, dem_error({path("none.tif"), line, 0}), "none.tif: cannot be opened");
-    EXPECT_PRED2(contains, dem_error({raster, path("none.geojson"), 0}), "none.geojson: cannot be opened");
-    EXPECT_PRED2(contains, dem_error({line, line, 0}), "line.geojson: cannot be opened");
-    EXPECT_PRED2(contains, dem_error({raster, write("p.geojson", geojson("Point", "[499960,5]")), 0}),
-                 "POINT: is not a line");
-    EXPECT_PRED2(contains,
-                 dem_error({raster, write("o.geojson", geojson("LineString", "[[499960,5],[500140,5]]")), 0}),
-                 "lies outside the raster");
-    EXPECT_PRED2(contains,
-                 dem_error({raster, write("0.geojson", geojson("LineString", "[[499960,5],[499960,5]]")), 0}),
-                 "has no length");
-    EXPECT_PRED2(contains, dem_error({write("hole.asc", plane_raster("-9999")), line, 0}),
-                 "crosses a cell without data");
-    EXPECT_PRED2(contains, dem_error({write("nan.asc", plane_raster("nan")), line, 0}),
-                 "crosses a cell without data");
-    EXPECT_PRED2(contains, dem_error({raster, line, -1}), "section.sampling_m = -1: is not a distance");
-    EXPECT_PRED2(contains,
-                 dem_error({raster, write("e.geojson", R"({"type":"FeatureCollection","features":[]})"), 0}),
-                 "has no feature");
 }
 
 }  // namespace

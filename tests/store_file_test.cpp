@@ -26,8 +26,9 @@ TEST_F(StoreTest, ARunThatCannotBeStoredLeavesNothing) {
     twice.phases.push_back(twice.phases.front());  // the last insert of the transaction breaks a primary key
     Store store(path, Store::Mode::write);
     EXPECT_THROW(store.add(example_scene(), twice), std::exception);
-    for (const char* table : {"section", "section_point", "source", "source_point", "scenario", "run",
-                              "measure", "series", "deposit_profile", "snapshot", "stage", "phase_time"})
+    for (const char* table :
+         {"section", "section_point", "source", "source_point", "scenario", "run", "measure", "series",
+          "deposit_profile", "snapshot", "frame", "stage", "phase_time", "map_line"})
         EXPECT_EQ(count(table), 0) << table;
     store.add(example_scene(), example_result());
     EXPECT_EQ(count("run"), 1) << "the store goes on after a failure";
@@ -212,8 +213,9 @@ TEST_F(ForeignFile, GeoPackage) {
 
 TEST_F(ForeignFile, NewerVersion) {
     add(example_scene(), example_result());
-    raw().exec("PRAGMA user_version = 4");
-    expect_refused("is of database version 4, written by a newer Runout; this Runout knows versions up to 3");
+    raw().exec("PRAGMA user_version = 99");
+    expect_refused(
+        "is of database version 99, written by a newer Runout; this Runout knows versions up to 4");
 }
 
 TEST_F(ForeignFile, ImpossibleVersion) {
@@ -336,7 +338,7 @@ TEST_F(StoreTest, MigrationsGoStepByStepFromWhereTheFileStands) {
     SQLite::Database database(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     database.exec("PRAGMA user_version = 1");
     migrate(database, steps);
-    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 3);
+    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 4);
     EXPECT_EQ(count("step"), 2);
     migrate(database, steps);
     EXPECT_EQ(count("step"), 2) << "a step is never taken twice";
@@ -367,9 +369,12 @@ std::set<std::string> format_of(SQLite::Database& database) {
     return format;
 }
 
-/// What a program of version 1 would have written: the format as it is now without what later ones added.
+/// What a program of version 1 would have written: the format as it is now without what later versions added.
 void take_back_to_version_one(SQLite::Database& database) {
-    database.exec("DROP TABLE snapshot; DROP TABLE stage; DROP TABLE invariant; PRAGMA user_version = 1");
+    database.exec(
+        "ALTER TABLE run DROP COLUMN line_id; DROP TABLE map_line_point; DROP TABLE map_line_attribute;"
+        "DROP TABLE map_line; DROP TABLE snapshot; DROP TABLE stage; DROP TABLE frame; DROP TABLE invariant; PRAGMA user_version = "
+        "1");
     for (const char* column : {"lattice_seed", "snapshot_times_s", "base_friction_angle_deg",
                                "release_layers", "release_layer_width_m", "release_layer_height_m"})
         database.exec(std::string("ALTER TABLE scenario DROP COLUMN ") + column);
@@ -390,11 +395,12 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     Store store(path, Store::Mode::write);
     SQLite::Database file = raw();
     EXPECT_EQ(format_of(file), wanted);
-    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 3);
+    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 4);
     EXPECT_EQ(store.run(id).name, example_scene().name);
     EXPECT_EQ(store.run(id).measures.run_out_m, result.measures.run_out_m);
     EXPECT_EQ(store.series(id).size(), result.series.size());
     EXPECT_TRUE(store.snapshots(id).empty());
+    EXPECT_TRUE(store.frames(id).empty());
     EXPECT_TRUE(store.stages(id).empty());
     EXPECT_TRUE(store.invariants(id).empty());
     EXPECT_EQ(count("scenario WHERE lattice_seed = 0 AND snapshot_times_s = '[]'"

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -9,6 +10,7 @@
 #include "core/units.h"
 #include "core/version.h"
 #include "store/columns.h"
+#include "store/schema_comments.h"
 #include "store_fixture.h"
 
 // What goes into the store comes out of it, and the format is what db/schema.sql says.
@@ -230,8 +232,10 @@ TEST_F(StoreTest, ColumnsAreTheMembersOfTheResultStructs) {
     EXPECT_EQ(columns_of(database, "snapshot"),
               names_of({"run_id", "row_index", "time_s"}, snapshot_columns()));
 
-    const auto run = columns_of(database, "run");
+    auto run = columns_of(database, "run");
     const auto work = names_of({}, work_columns());
+    EXPECT_EQ(run.back(), "line_id") << "added by version 3";
+    run.pop_back();
     ASSERT_GE(run.size(), work.size());
     EXPECT_EQ(std::vector<std::string>(run.end() - static_cast<std::ptrdiff_t>(work.size()), run.end()),
               work);
@@ -272,6 +276,106 @@ TEST_F(StoreTest, KeepsSnapshotsToTheBitAndStages) {
 }
 
 // The round trip uses one list both ways and would not see a member under the name of another.
+TEST_F(StoreTest, KeepsFramesToTheBit) {
+    RunResult result = example_result();
+    result.frames.push_back({});  // a picture of nothing
+    const long id = add(example_scene(), result);
+    const std::vector<Frame> frames = Store(path, Store::Mode::read).frames(id);
+    ASSERT_EQ(frames.size(), result.frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        for (const auto& column : frame_scale_columns())
+            EXPECT_EQ(frames[i].scale.*column.value, result.frames[i].scale.*column.value) << column.name;
+        EXPECT_EQ(frames[i].x, result.frames[i].x);
+        EXPECT_EQ(frames[i].y, result.frames[i].y);
+        EXPECT_EQ(frames[i].speed, result.frames[i].speed);
+        EXPECT_EQ(frames[i].pressure, result.frames[i].pressure);
+    }
+    EXPECT_EQ(count("frame WHERE length(x) = 4 AND x = x'0000FFFF' AND speed = x'FF01'"), 1)
+        << "little-endian words and bytes";
+}
+
+TEST_F(StoreTest, GivesBackGroundAndSource) {
+    const Scene scene = example_scene();
+    const long id = add(scene, example_result());
+    const SectionGeometry geometry = Store(path, Store::Mode::read).geometry(id);
+    EXPECT_EQ(geometry.profile.ground, scene.profile.ground);
+    EXPECT_EQ(geometry.profile.toe, scene.profile.toe);
+    EXPECT_EQ(geometry.profile.crest, scene.profile.crest);
+    EXPECT_EQ(geometry.profile.toe_chainage_m, scene.profile.toe_chainage_m);
+    EXPECT_EQ(geometry.profile.toe_elevation_m, scene.profile.toe_elevation_m);
+    EXPECT_EQ(geometry.profile.descends_with_chainage, scene.profile.descends_with_chainage);
+    EXPECT_EQ(geometry.profile.origin, scene.profile.origin);
+    EXPECT_EQ(geometry.outline, scene.source.outline);
+    EXPECT_EQ(geometry.bed, scene.source.bed);
+    EXPECT_EQ(geometry.exit_point, scene.source.exit_point);
+    EXPECT_EQ(geometry.head, scene.source.head);
+    EXPECT_NEAR(geometry.discontinuity_angle, scene.source.discontinuity_angle, 1e-15);
+}
+
+TEST_F(StoreTest, TellsEveryColumnOfARunWithItsMeaning) {
+    const long id = add(example_scene(), example_result());
+    const Store store(path, Store::Mode::read);
+    const auto facts = store.facts(id);
+    const auto fact = [&](const std::string& table, const std::string& column) -> const StoredFact& {
+        const auto found = std::ranges::find_if(
+            facts, [&](const StoredFact& item) { return item.table == table && item.column == column; });
+        EXPECT_NE(found, facts.end()) << table << "." << column;
+        return found == facts.end() ? facts.front() : *found;
+    };
+    EXPECT_EQ(fact("scenario", "density_kg_m3").value, StoredValue(1900.0));
+    EXPECT_EQ(fact("scenario", "base_friction_angle_deg").value, StoredValue());
+    EXPECT_EQ(fact("scenario", "smoothing_ratio").meaning, "h / particle spacing");
+    EXPECT_EQ(fact("source", "area_m2").meaning, "S_0");
+    EXPECT_EQ(fact("run", "particles").value, StoredValue(1601L));
+    EXPECT_EQ(fact("run", "name").value, StoredValue(std::string("cut-60")));
+    EXPECT_EQ(fact("measure", "run_out_m").value, StoredValue(example_result().measures.run_out_m));
+    for (const StoredFact& item : facts) EXPECT_FALSE(item.column.ends_with("_id")) << item.column;
+}
+
+TEST_F(StoreTest, FindsTablesThatItDoesNotKnow) {
+    const long id = add(example_scene(), example_result());
+    raw().exec(
+        "CREATE TABLE something_new (run_id INTEGER, row_index INTEGER, name TEXT, depth_m REAL, shape BLOB);"
+        "INSERT INTO something_new VALUES (1, 0, 'house', 0.5, x'00'), (99, 0, 'other run', 1, NULL);"
+        "CREATE TABLE without_rows (run_id INTEGER, depth_m REAL)");
+    const auto tables = Store(path, Store::Mode::read).further_tables(id);
+    const auto found = std::ranges::find(tables, "something_new", &StoredTable::name);
+    ASSERT_NE(found, tables.end());
+    EXPECT_EQ(found->columns, (std::vector<std::string>{"name", "depth_m"}));
+    ASSERT_EQ(found->rows.size(), 1u);
+    EXPECT_EQ(found->rows[0], (std::vector<StoredValue>{std::string("house"), 0.5}));
+    for (const StoredTable& table : tables) {
+        EXPECT_NE(table.name, "without_rows");
+        EXPECT_NE(table.name, "series") << "it has a reader of its own";
+    }
+}
+
+TEST_F(StoreTest, ListsTheRunsOnASection) {
+    add(example_scene(), example_result());
+    Scene other = example_scene();
+    other.profile.toe_elevation_m += 1;
+    const long second = add(other, example_result());
+    const Store store(path, Store::Mode::read);
+    ASSERT_EQ(store.runs_on_section(2).size(), 1u);
+    EXPECT_EQ(store.runs_on_section(2)[0].run_id, second);
+    EXPECT_TRUE(contains(refusal([&] { static_cast<void>(store.runs_on_section(3)); }), "3"));
+}
+
+TEST(SchemaComments, StandBesideColumnsAndAboveTables) {
+    const SchemaComments comments = schema_comments(
+        "-- Not of a table.\n\n-- What moves,\n-- in two lines.\nCREATE TABLE mass (\n"
+        "    mass_id  INTEGER PRIMARY KEY,\n    size_m2  REAL NOT NULL,   -- S_0\n"
+        "    kind     TEXT NOT NULL CHECK (kind IN ('a', 'b')),  -- a or b\n"
+        "    PRIMARY KEY (mass_id)\n) STRICT;\nCREATE TABLE bare (\n    x REAL\n);\n");
+    EXPECT_EQ(comments.tables.at("mass"), "What moves, in two lines.");
+    EXPECT_EQ(comments.tables.at("bare"), "");
+    EXPECT_EQ(comments.columns.at("mass.size_m2"), "S_0");
+    EXPECT_EQ(comments.columns.at("mass.kind"), "a or b");
+    EXPECT_EQ(comments.columns.at("mass.mass_id"), "");
+    EXPECT_EQ(comments.columns.count("mass.PRIMARY"), 0u);
+    EXPECT_EQ(schema_comments().columns.at("measure.front_area_m2"), "S_front");
+}
+
 TEST_F(StoreTest, SnapshotsAndStagesStandUnderTheirOwnNames) {
     RunResult result = example_result();
     result.snapshots = {{0.25, {1}, {2}, {3}, {4}, {5}}};
@@ -327,7 +431,7 @@ TEST_F(StoreTest, WritesEffectsAndLeavesAbsentOnesNull) {
     EXPECT_EQ(rows.getColumn(1).getString(), "[]");
     for (int effect = 2; effect < 6; ++effect) EXPECT_TRUE(rows.getColumn(effect).isNull()) << effect;
     ASSERT_TRUE(rows.executeStep());
-    EXPECT_EQ(rows.getColumn(0).getInt(), 3);
+    EXPECT_EQ(rows.getColumn(0).getInt(), 4);
     EXPECT_EQ(rows.getColumn(1).getString(), "[0.1, 0.25]");
     EXPECT_EQ(rows.getColumn(2).getDouble(), degrees(0.5));
     EXPECT_EQ(rows.getColumn(3).getInt(), 7);
@@ -364,7 +468,7 @@ TEST_F(StoreTest, MarksTheFileAsItsOwn) {
     add(example_scene(), example_result());
     SQLite::Database database = raw();
     EXPECT_EQ(database.execAndGet("PRAGMA application_id").getInt(), 0x52554E4F);  // RUNO
-    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 3);
+    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 4);
     EXPECT_EQ(database.execAndGet("PRAGMA journal_mode").getString(), "delete");
     EXPECT_EQ(database.execAndGet("PRAGMA integrity_check").getString(), "ok");
     EXPECT_EQ(count("pragma_foreign_key_check"), 0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -64,6 +65,23 @@ struct Snapshot {
     std::vector<float> pressure_pa;
 };
 
+/// How the numbers of a frame are coded: value = low + code * step.
+struct FrameScale {
+    double time_s = 0;
+    double x_low_m = 0, x_step_m = 0;
+    double y_low_m = 0, y_step_m = 0;
+    double speed_low_m_s = 0, speed_step_m_s = 0;
+    double pressure_low_pa = 0, pressure_step_pa = 0;
+};
+
+/// A picture of the moving mass, local frame: six bytes a particle, enough to look at and not to compute
+/// with. One value per shown particle, the same ones in every frame, in the order they were packed.
+struct Frame {
+    FrameScale scale;
+    std::vector<std::uint16_t> x, y;
+    std::vector<std::uint8_t> speed, pressure;
+};
+
 /// The heap at rest after one release of a staged run; the first row is the source alone.
 struct StageRow {
     double time_s = 0;
@@ -114,6 +132,7 @@ struct RunResult {
     std::vector<PhaseTime> phases;
     std::vector<InvariantRow> invariants;
     std::vector<Snapshot> snapshots;
+    std::vector<Frame> frames;     ///< empty unless asked for in RunControl
     std::vector<StageRow> stages;  ///< empty unless the release is staged
 };
 

@@ -10,6 +10,7 @@
 #include "core/units.h"
 #include "engine/simulation.h"
 #include "measures/deposit.h"
+#include "measures/frames.h"
 #include "measures/series.h"
 #include "measures/snapshots.h"
 
@@ -19,6 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double samples_per_time_scale = 20.0;
+constexpr double first_frames_per_time_scale = 20.0;
 constexpr double progress_period_s = 0.1;
 
 double seconds_since(Clock::time_point start) {
@@ -134,6 +136,7 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
     SeriesRecorder series(simulation.time_scale() / samples_per_time_scale);
     series.sample(simulation, true);
     SnapshotRecorder snapshots(scene.run.snapshot_times);
+    FrameRecorder frames(control.frames, simulation.time_scale() / first_frames_per_time_scale);
     RunResult result;
     double reported = -1.0;
     bool interrupted = false;
@@ -141,6 +144,7 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
         simulation.step();
         series.sample(simulation);
         snapshots.sample(simulation);
+        frames.sample(simulation);
         const bool last_stage = scene.effects.release && simulation.status() != RunStatus::running;
         if (simulation.stage_ended() || last_stage) {
             result.stages.push_back(stage_at_rest(scene, simulation));
@@ -154,6 +158,7 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
         interrupted = control.interrupt != nullptr && control.interrupt->load();
     }
     series.sample(simulation, true);
+    frames.sample(simulation, true);
     result.status = interrupted ? RunStatus::interrupted : simulation.status();
     result.status_detail = interrupted ? "stopped by the user" : simulation.status_detail();
     const StateView state = simulation.state();
@@ -163,6 +168,7 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
     result.work = work_of(simulation);
     result.series = series.rows();
     result.snapshots = snapshots.snapshots();
+    result.frames = frames.frames();
     result.deposit = rows_of(profile, scene.profile);
     for (int p = 0; p < static_cast<int>(Phase::count); ++p) {
         result.phases.push_back(

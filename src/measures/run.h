@@ -17,10 +17,11 @@ struct Progress {
     double wall_s = 0;
 };
 
-/// Links of a run to whoever started it. Both may be empty.
+/// Links of a run to whoever started it, who may leave all of them as they are.
 struct RunControl {
     std::function<void(const Progress&)> on_progress;  ///< called about ten times a second
     const std::atomic<bool>* interrupt = nullptr;      ///< set to true to end the run as `interrupted`
+    int frames = 0;  ///< most pictures of the particles to keep for an animation; they do not change the run
 };
 
 /// Simulates the scene to its end and reads off the measures. Never throws for what the physics does: the

@@ -2,10 +2,14 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/geometry.h"
+#include "gis/elevation_raster.h"
+#include "gis/map_line.h"
+#include "gis/section_line.h"
 
 namespace runout {
 
@@ -23,7 +27,8 @@ struct Profile {
     double toe_elevation_m = 0;
     bool descends_with_chainage = true;  ///< false: the section was mirrored to run out towards +x
 
-    std::string origin;  ///< file (and line feature) it came from
+    std::string origin;               ///< file (and line feature) it came from
+    std::optional<MapLine> map_line;  ///< where the section lies; none for a CSV, which does not say
 
     /// Local point -> (chainage, elevation) of the file.
     [[nodiscard]] Vec2 to_section(const Vec2& local) const;
@@ -63,17 +68,43 @@ Profile make_profile(const std::vector<Vec2>& points, const std::vector<int>& li
 /// make_profile refuses.
 Profile read_profile_csv(const std::string& path, const ProfileOptions& options);
 
-/// Elevations sampled on a line across a raster.
-struct DemLine {
-    std::string raster;     ///< any GDAL raster
-    std::string line;       ///< any GDAL vector data set with one line feature
-    double sampling_m = 0;  ///< distance between samples; 0: half a raster cell
+/// A section that a map gives: a line across a raster, or a line with elevations of its own.
+struct MapSection {
+    std::string raster{};     ///< any GDAL raster; empty: the line is three-dimensional
+    LineQuery line{};         ///< which line; it must be one
+    double sampling_m = 0;    ///< distance between samples of the raster; 0: half a cell
+    double smoothing_m = 0;   ///< width of the window of smooth_elevations; 0: none
+    RasterOptions options{};  ///< of the raster; the unit of elevation holds for a line too
 };
 
-/// Profile along the first feature of the line, brought to the raster's coordinate system where both name
-/// one; elevations (band 1, metres) by bilinear interpolation between cell centres, chainage from the line's
-/// first point. Throws InputError: unreadable raster or line, geometry that is not a line, raster in degrees,
-/// line leaving the raster or crossing a cell without data, and whatever make_profile refuses.
-Profile read_profile_dem(const DemLine& dem, const ProfileOptions& options);
+/// Profile along the line, chainage in metres from its first point. A raster is sampled evenly from end to
+/// end; a three-dimensional line gives its vertices. Attributes named toe_chainage_m and crest_chainage_m
+/// stand for options that are not given. What smoothing changed is told in `origin`. Throws InputError:
+/// whatever read_section_lines, ElevationRaster and make_profile refuse, several lines, a line without
+/// elevations.
+Profile read_map_section(const MapSection& section, const ProfileOptions& options);
+
+/// One of the lines that a query asks for.
+struct SectionFeature {
+    long feature_id = 0;
+    std::string label;  ///< attribute name, label, section, slope_no, slope or id; else the feature id
+};
+
+/// Throws InputError as read_section_lines.
+std::vector<SectionFeature> section_features(const LineQuery& query);
+
+/// What smoothing did to a section.
+struct Smoothing {
+    double greatest_change_m = 0;
+    double greatest_change_chainage_m = 0;
+    double rms_change_m = 0;
+    double steepest_before = 0;  ///< inclination of the steepest segment, rad
+    double steepest_after = 0;
+};
+
+/// Replaces each elevation by that of a straight line fitted around it: least squares, weights (1 - |u|^3)^3
+/// over a window of this width (local regression, Cleveland 1979). A plane stays as it is, at the ends too;
+/// edges are rounded. Points (chainage, elevation) of rising chainage.
+Smoothing smooth_elevations(std::vector<Vec2>& points, double window_m);
 
 }  // namespace runout

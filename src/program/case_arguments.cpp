@@ -17,7 +17,7 @@ struct ShortOption {
     const char* key;
 };
 
-constexpr std::array<ShortOption, 22> short_options = {{
+constexpr std::array<ShortOption, 24> short_options = {{
     {"--source", "source.type"},
     {"--base-angle", "source.base_angle_deg"},
     {"--scarp-angle", "source.scarp_angle_deg"},
@@ -31,6 +31,8 @@ constexpr std::array<ShortOption, 22> short_options = {{
     {"--discontinuity-angle", "source.discontinuity_angle_deg"},
     {"--friction-angle", "material.friction_angle_deg"},
     {"--density", "material.density_kg_m3"},
+    {"--raster", "section.raster"},
+    {"--where", "section.where"},
     {"--toe-chainage", "section.toe_chainage_m"},
     {"--crest-chainage", "section.crest_chainage_m"},
     {"--name", "run.name"},
@@ -88,7 +90,10 @@ void check_given_once(const std::vector<Override>& overrides) {
 }  // namespace
 
 void add_case_arguments(CLI::App& subcommand, CaseArguments& arguments) {
-    subcommand.add_option("FILE", arguments.file, "A case (.toml) or a bare cross-section (.csv)")
+    subcommand
+        .add_option(
+            "FILE", arguments.file,
+            "A case (.toml), a bare cross-section (.csv), or lines on a map (.gpkg, .shp, .geojson ...)")
         ->required()
         ->type_name("");
     for (const ShortOption& entry : short_options) add_short_option(subcommand, arguments, entry);

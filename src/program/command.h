@@ -20,8 +20,14 @@ using Command = std::function<int()>;
 
 // Each declares one subcommand with its options, and sets `command` when it is the one that was named.
 void add_run_command(CLI::App& app, Command& command);
+void add_profile_command(CLI::App& app, Command& command);
+void add_map_command(CLI::App& app, Command& command);
 void add_source_command(CLI::App& app, Command& command);
 void add_table_command(CLI::App& app, Command& command);
+void add_report_command(CLI::App& app, Command& command);
+void add_compare_command(CLI::App& app, Command& command);
+void add_export_command(CLI::App& app, Command& command);
+void add_back_analysis_command(CLI::App& app, Command& command);
 void add_validate_command(CLI::App& app, Command& command);
 void add_stress_command(CLI::App& app, Command& command);
 void add_help_command(CLI::App& app, Command& command);

@@ -34,6 +34,13 @@ std::string key_table() {
     return text;
 }
 
+std::string topics(const CLI::App& app) {
+    std::string names = "keys";
+    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+        names += ", " + sub->get_name();
+    return names;
+}
+
 std::string help_on(const CLI::App& app, const std::string& topic) {
     // Not app.help(): that would explain the subcommand at hand, which is `help`.
     if (topic.empty())
@@ -42,7 +49,7 @@ std::string help_on(const CLI::App& app, const std::string& topic) {
     for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
         if (sub->get_name() == topic) return sub->help(app.get_name());
     throw InputError({.file = {}, .line = 0, .key = "help", .value = topic}, "is not a topic",
-                     "valid: keys, run, source, table, validate");
+                     "valid: " + topics(app));
 }
 
 }  // namespace

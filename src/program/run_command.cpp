@@ -21,17 +21,19 @@ namespace {
 struct RunArguments {
     CaseArguments scenario;
     std::string database = "runout.db";
+    int frames = 60;
     bool store = true;
     bool json = false;
     bool quiet = false;
 };
 
-RunResult simulate(const Scene& scene, bool quiet) {
+RunResult simulate(const Scene& scene, const RunArguments& arguments) {
     InterruptWatch interrupt;
-    ProgressLine line(quiet ? ProgressLine::Style::none : ProgressLine::style_of_stderr());
+    ProgressLine line(arguments.quiet ? ProgressLine::Style::none : ProgressLine::style_of_stderr());
     RunControl control;
     control.on_progress = [&line](const Progress& progress) { line.show(progress); };
     control.interrupt = &interrupt.requested();
+    control.frames = arguments.store ? arguments.frames : 0;
     RunResult result = run_scene(scene, control);
     line.finish();
     return result;
@@ -53,16 +55,17 @@ void log_ending(const RunResult& result) {
                  result.status_detail.empty() ? "" : ": ", result.status_detail);
 }
 
-int run(const RunArguments& arguments) {
-    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
-    const Scene scene = make_scene(case_from(arguments.scenario));
+/// Every section of the case; a mistake in one is found before any has run.
+std::vector<Scene> scenes_of(const CaseArguments& arguments) {
+    std::vector<Scene> scenes;
+    for (const CaseSpec& spec : section_cases(case_from(arguments))) scenes.push_back(make_scene(spec));
+    return scenes;
+}
+
+/// Simulates, stores and prints one section, and returns its exit code.
+int run_section(const Scene& scene, const RunArguments& arguments, std::optional<Store>& store) {
     log_assumptions(scene.assumed);
-
-    // A database that cannot take the run is found out now and not after an hour of work.
-    std::optional<Store> store;
-    if (arguments.store) store.emplace(arguments.database, Store::Mode::write);
-
-    const RunResult result = simulate(scene, arguments.quiet);
+    const RunResult result = simulate(scene, arguments);
     log_ending(result);
 
     StoredRun run = describe_run(scene, result);
@@ -79,6 +82,26 @@ int run(const RunArguments& arguments) {
     return exit_code_of(result);
 }
 
+int run(const RunArguments& arguments) {
+    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
+    const std::vector<Scene> scenes = scenes_of(arguments.scenario);
+
+    // A database that cannot take the runs is found out now and not after an hour of work.
+    std::optional<Store> store;
+    if (arguments.store) store.emplace(arguments.database, Store::Mode::write);
+
+    if (scenes.size() == 1) return run_section(scenes.front(), arguments, store);
+    int failed = 0;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        spdlog::info("section {} of {}: {}", i + 1, scenes.size(), scenes[i].name);
+        const int code = run_section(scenes[i], arguments, store);
+        if (code == exit_code::interrupted) return code;
+        if (code != exit_code::success) ++failed;
+    }
+    if (failed > 0) spdlog::warn("{} of {} sections gave no result", failed, scenes.size());
+    return failed > 0 ? exit_code::not_a_result : exit_code::success;
+}
+
 }  // namespace
 
 void add_run_command(CLI::App& app, Command& command) {
@@ -92,7 +115,15 @@ void add_run_command(CLI::App& app, Command& command) {
     sub->add_flag_callback(
            "--no-store", [arguments] { arguments->store = false; }, "Leave no trace but the answer")
         ->group("Output");
-    sub->add_flag("--json", arguments->json, "Print the answer as one JSON object")->group("Output");
+    sub->add_option("--frames", arguments->frames,
+                    "Most pictures of the particles to store for the animation of the report; 0 for none")
+        ->type_name("number")
+        ->check(CLI::Range(0, 10000))
+        ->capture_default_str()
+        ->group("Output");
+    sub->add_flag("--json", arguments->json,
+                  "Print the answer as one JSON object, one after the other for many sections")
+        ->group("Output");
     sub->add_flag("--quiet", arguments->quiet, "No progress, no log but errors")->group("Output");
     sub->callback([arguments, &command] { command = [arguments] { return run(*arguments); }; });
 }

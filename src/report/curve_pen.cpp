@@ -78,6 +78,11 @@ std::string line(const Pen& pen, const std::vector<Vec2>& points, const std::str
         css_class, pen.colour, dashes, path);
 }
 
+std::string area(const Pen& pen, const std::vector<Vec2>& points, const std::string& css_class) {
+    return fmt::format("<path class=\"{}\" fill=\"{}\" fill-opacity=\"0.2\" stroke=\"none\" d=\"{}\"/>\n",
+                       css_class, pen.colour, path_of(points));
+}
+
 }  // namespace
 
 std::vector<Pen> pens_for(const std::vector<Curve>& curves) {
@@ -87,6 +92,7 @@ std::vector<Pen> pens_for(const std::vector<Curve>& curves) {
         Pen& pen = pens.emplace_back();
         pen.colour = palette[(pens.size() - 1) % palette.size()];
         pen.markers = curve.style == Curve::Style::markers;
+        pen.area = curve.style == Curve::Style::area;
         if (pen.markers) pen.shape = marked++ % shapes;
         if (pen.markers && curve.points.size() > many_points) pen.marker_size = 2.5;
         if (curve.style == Curve::Style::line) pen.dashes = line_dashes[lines++ % line_dashes.size()];
@@ -96,6 +102,7 @@ std::vector<Pen> pens_for(const std::vector<Curve>& curves) {
 }
 
 std::string drawn(const Pen& pen, const std::vector<Vec2>& points, const std::string& css_class) {
+    if (pen.area) return area(pen, points, css_class);
     return pen.markers ? markers(pen, points, css_class) : line(pen, points, css_class);
 }
 

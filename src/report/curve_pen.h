@@ -10,6 +10,7 @@ namespace runout {
 /// How a curve is told from the others: by colour, and without colour by dashes or the shape of its markers.
 struct Pen {
     bool markers = false;
+    bool area = false;
     std::string colour;
     std::string dashes;        ///< SVG stroke-dasharray; empty: solid
     std::size_t shape = 0;     ///< of the markers

@@ -1,6 +1,8 @@
 #include "report/run_columns.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "store/columns.h"
 
@@ -28,6 +30,22 @@ void append_work(std::vector<RunColumn>& columns, const RunWork& work) {
             {column.name, std::visit([&](auto member) { return number(work.*member); }, column.member)});
 }
 
+/// An object; empty where the section came from no map.
+Cell attributes_json(const std::vector<Attribute>& attributes) {
+    if (attributes.empty()) return {};
+    nlohmann::ordered_json object;
+    for (const Attribute& attribute : attributes)
+        std::visit(
+            [&](const auto& value) {
+                if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>)
+                    object[attribute.name] = nullptr;
+                else
+                    object[attribute.name] = value;
+            },
+            attribute.value);
+    return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 }  // namespace
 
 std::vector<RunColumn> run_columns(const StoredRun& run) {
@@ -37,6 +55,7 @@ std::vector<RunColumn> run_columns(const StoredRun& run) {
         {"status", std::string(to_string(run.status))},
         {"status_detail", run.status_detail},
         {"section_origin", run.section_origin},
+        {"section_attributes", attributes_json(run.section_attributes)},
         {"source_type", run.source_type},
         {"discontinuity_angle_deg", number(run.discontinuity_angle_deg)},
         {"drop_height_datum", run.drop_height_datum},

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "store/store.h"
@@ -9,7 +8,7 @@
 namespace runout {
 
 /// Nothing, or a value as the database has it.
-using Cell = std::variant<std::monostate, long, double, std::string>;
+using Cell = FieldValue;
 
 struct RunColumn {
     std::string name;

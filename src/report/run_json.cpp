@@ -25,6 +25,9 @@ Json to_json(const Cell& cell) {
 Json to_json(const StoredRun& run) {
     Json object = Json::object();
     for (const RunColumn& column : run_columns(run)) object[column.name] = to_json(column.value);
+    // A text in the other formats, which have no objects.
+    if (!run.section_attributes.empty())
+        object["section_attributes"] = Json::parse(object["section_attributes"].get<std::string>());
     return object;
 }
 

@@ -57,20 +57,33 @@ std::string work_line(const StoredRun& run) {
 }
 
 std::string resolution_line(const StoredRun& run) {
+    const std::string warning = resolution_warning(run);
+    return warning.empty() ? warning : warning + "\n";
+}
+
+std::string failed_lines(const StoredRun& run) {
+    const std::string detail = run.status_detail.empty() ? "" : " (" + run.status_detail + ")";
+    return fmt::format("{}: no result: {}{}.\n", title(run), status_reason(run.status), detail) +
+           work_line(run);
+}
+
+}  // namespace
+
+std::string resolution_warning(const StoredRun& run) {
     const double along = std::sqrt(run.measures.source_area_m2) / run.work.particle_spacing_m;
     if (along < coarse_particles_along_root_area)
         return fmt::format(
             "Coarse: only {:.0f} particles along sqrt(S); a finer run may move the front by several per "
-            "cent.\n",
+            "cent.",
             along);
     if (run.measures.front_thickness_m < run.work.particle_spacing_m)
         return fmt::format(
-            "Coarse: the front is read where the deposit is {:.3g} m thick, less than one particle.\n",
+            "Coarse: the front is read where the deposit is {:.3g} m thick, less than one particle.",
             run.measures.front_thickness_m);
     return {};
 }
 
-std::string reason(RunStatus status) {
+std::string status_reason(RunStatus status) {
     switch (status) {
         case RunStatus::running:
             return "it has not ended";
@@ -90,13 +103,6 @@ std::string reason(RunStatus status) {
     }
     return {};
 }
-
-std::string failed_lines(const StoredRun& run) {
-    const std::string detail = run.status_detail.empty() ? "" : " (" + run.status_detail + ")";
-    return fmt::format("{}: no result: {}{}.\n", title(run), reason(run.status), detail) + work_line(run);
-}
-
-}  // namespace
 
 std::string run_summary(const StoredRun& run) {
     if (!is_result(run.status)) return failed_lines(run);

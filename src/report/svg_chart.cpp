@@ -154,6 +154,8 @@ std::string curves(const Figure& figure, const Plot& plot, const std::vector<Pen
 std::string legend_entry(Pen pen, const std::vector<std::string>& label, double x, double y) {
     std::vector<Vec2> sample{{x, y}, {x + sample_width, y}};
     if (pen.markers) sample = {{x + 0.5 * sample_width, y}};
+    if (pen.area)
+        sample = {{x, y - 6.0}, {x + sample_width, y - 6.0}, {x + sample_width, y + 6.0}, {x, y + 6.0}};
     pen.marker_size = std::max(pen.marker_size, 3.5);
     std::string text = drawn(pen, sample, "sample");
     for (const std::string& line : label) {

@@ -22,4 +22,10 @@ std::string run_json(const StoredRun& run);
 /// A few lines for people: how far, how thick, how sure, how long it took.
 std::string run_summary(const StoredRun& run);
 
+/// A sentence when the particles were too coarse for the front; empty otherwise.
+std::string resolution_warning(const StoredRun& run);
+
+/// How a run that is not a result ended, in words; empty for one that is.
+std::string status_reason(RunStatus status);
+
 }  // namespace runout

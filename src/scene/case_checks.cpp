@@ -18,8 +18,10 @@ struct Rivals {
 };
 
 /// Two ways to say the same thing.
-constexpr std::array<Rivals, 2> rivals = {{
+constexpr std::array<Rivals, 4> rivals = {{
     {"section.file", "section.raster"},
+    {"section.file", "section.line"},
+    {"section.feature_id", "section.where"},
     {"run.particle_spacing_m", "run.resolution"},
 }};
 
@@ -28,10 +30,17 @@ struct Companions {
     std::string_view needs;
 };
 
-constexpr std::array<Companions, 7> companions = {{
+constexpr std::array<Companions, 14> companions = {{
     {"section.raster", "section.line"},
-    {"section.line", "section.raster"},
     {"section.sampling_m", "section.raster"},
+    {"section.interpolation", "section.raster"},
+    {"section.raster_crs", "section.raster"},
+    {"section.layer", "section.line"},
+    {"section.feature_id", "section.line"},
+    {"section.where", "section.line"},
+    {"section.line_crs", "section.line"},
+    {"section.elevation_unit", "section.line"},
+    {"section.smoothing_m", "section.line"},
     {"effects.release.layers", "effects.release.layer_width_m"},
     {"effects.release.layers", "effects.release.layer_height_m"},
     {"effects.release.layer_width_m", "effects.release.layers"},
@@ -55,7 +64,7 @@ void check_companions(const CaseSpec& spec) {
     for (const Companions& pair : companions)
         if (spec.has(pair.key) && !spec.has(pair.needs))
             throw InputError(spec.place(pair.key), fmt::format("needs {}", pair.needs), "give both");
-    if (!spec.has("section.file") && !spec.has("section.raster"))
+    if (!spec.has("section.file") && !spec.has("section.line"))
         throw InputError(spec.place("section.file"), "is missing",
                          "give the cross-section as CSV, or section.raster and section.line");
 }

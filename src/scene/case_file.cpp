@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <filesystem>
@@ -209,7 +210,7 @@ class CaseReader {
 /// Paths in a case file start at the case file, so that a case can be run from anywhere.
 void resolve_paths(SectionSpec& section, const std::string& case_file) {
     const fs::path folder = fs::path(case_file).parent_path();
-    for (std::string* path : {&section.file, &section.raster, &section.line})
+    for (std::string* path : {&section.file, &section.map.raster, &section.map.line.file})
         if (!path->empty()) *path = (folder / *path).lexically_normal().string();
 }
 
@@ -228,6 +229,13 @@ void read_toml(CaseSpec& spec) {
     resolve_paths(spec.section, spec.file);
 }
 
+/// Which key a file stands for that is no case; empty if none.
+std::string section_key(const std::string& extension) {
+    constexpr std::array maps = {".gpkg", ".shp", ".geojson", ".fgb", ".gml", ".kml"};
+    if (extension == ".csv") return "section.file";
+    return std::ranges::find(maps, extension) != maps.end() ? "section.line" : "";
+}
+
 }  // namespace
 
 CaseSpec read_case(const std::string& path) {
@@ -236,12 +244,14 @@ CaseSpec read_case(const std::string& path) {
     const std::string extension = lower_extension(path);
     if (extension == ".toml") {
         read_toml(spec);
-    } else if (extension == ".csv") {
-        const InputPlace place{.file = path, .line = 0, .key = "section.file", .value = {}};
+    } else if (const std::string key = section_key(extension); !key.empty()) {
+        const InputPlace place{.file = path, .line = 0, .key = key, .value = {}};
         assign(spec, known_parameter(place), path, place);
     } else {
         read_text(path);  // a missing file is the likelier mistake, and says so
-        throw InputError(whole_file(path), "is neither a case nor a section", "give a .toml or a .csv file");
+        throw InputError(
+            whole_file(path), "is neither a case nor a section",
+            "give a .toml or a .csv file, or lines as .gpkg, .shp, .geojson, .fgb, .gml or .kml");
     }
     if (!spec.has("run.name")) spec.name = name_from(path);
     return spec;

@@ -13,12 +13,10 @@
 
 namespace runout {
 
-/// Where the ground comes from: a CSV, or a raster and a line across it.
+/// Where the ground comes from: a CSV, or a line on a map.
 struct SectionSpec {
     std::string file;
-    std::string raster;
-    std::string line;
-    double sampling_m = 0;  ///< 0: half a raster cell
+    MapSection map;
     ProfileOptions options;
 };
 

@@ -111,22 +111,64 @@ SourceType source_type(const std::string& name) {
 
 std::vector<Parameter> section_parameters() {
     return {
-        word("section.file", {}, "required, unless section.raster is given",
+        word("section.file", {}, "required, unless section.line is given",
              "Cross-section as CSV with columns chainage_m and elevation_m; relative to the case file.",
              [](CaseSpec& spec, const std::string& path) { spec.section.file = path; }),
-        word("section.raster", {}, "none", "Elevation raster that GDAL can read; needs section.line.",
-             [](CaseSpec& spec, const std::string& path) { spec.section.raster = path; }),
-        word("section.line", {}, "none", "Vector file with the one section line to sample the raster along.",
-             [](CaseSpec& spec, const std::string& path) { spec.section.line = path; }),
-        number("section.sampling_m", "m", positive, "half a raster cell",
-               "Distance between samples of the raster.",
-               [](CaseSpec& spec, double metres) { spec.section.sampling_m = metres; }),
         number("section.toe_chainage_m", "m", any_number, "found on the section",
                "Chainage of the foot of the cut.",
                [](CaseSpec& spec, double metres) { spec.section.options.toe_chainage_m = metres; }),
         number("section.crest_chainage_m", "m", any_number, "found on the section",
                "Chainage of the upper edge of the cut.",
                [](CaseSpec& spec, double metres) { spec.section.options.crest_chainage_m = metres; }),
+    };
+}
+
+LineQuery& line_of(CaseSpec& spec) {
+    return spec.section.map.line;
+}
+
+std::vector<Parameter> line_parameters() {
+    return {
+        word("section.line", {}, "none",
+             "Vector file (GDAL) with section lines; each line that is not left out is a section.",
+             [](CaseSpec& spec, const std::string& path) { line_of(spec).file = path; }),
+        word("section.layer", {}, "the only one", "Layer of section.line.",
+             [](CaseSpec& spec, const std::string& name) { line_of(spec).layer = name; }),
+        integer("section.feature_id", between(0, 2e9), "every line",
+                "The one line to take, by its feature id.",
+                [](CaseSpec& spec, int id) { line_of(spec).feature_id = id; }),
+        word("section.where", {}, "every line",
+             "The lines to take, as a condition on their attributes: slope_no = '11SW-D/C1'.",
+             [](CaseSpec& spec, const std::string& condition) { line_of(spec).where = condition; }),
+        word("section.line_crs", {}, "as the file says",
+             "Coordinate system of the lines, such as EPSG:2326, where their file names none or a wrong one.",
+             [](CaseSpec& spec, const std::string& name) { line_of(spec).crs = name; }),
+    };
+}
+
+std::vector<Parameter> raster_parameters() {
+    return {
+        word("section.raster", {}, "the elevations of the line itself",
+             "Elevation raster (GDAL) to sample along section.line.",
+             [](CaseSpec& spec, const std::string& path) { spec.section.map.raster = path; }),
+        word("section.raster_crs", {}, "as the file says",
+             "Coordinate system of the raster, such as EPSG:2326, where its file names none or a wrong one.",
+             [](CaseSpec& spec, const std::string& name) { spec.section.map.options.crs = name; }),
+        number("section.sampling_m", "m", positive, "half a raster cell",
+               "Distance between samples of the raster.",
+               [](CaseSpec& spec, double metres) { spec.section.map.sampling_m = metres; }),
+        word("section.interpolation", {"bilinear", "cubic"}, "bilinear",
+             "How an elevation follows from the raster cells around a sample.",
+             [](CaseSpec& spec, const std::string& name) {
+                 spec.section.map.options.interpolation =
+                     name == "cubic" ? Interpolation::cubic : Interpolation::bilinear;
+             }),
+        word("section.elevation_unit", {"m", "ft", "us-ft"}, "m, unless the file says otherwise",
+             "Unit of the elevations of a raster or of three-dimensional lines.",
+             [](CaseSpec& spec, const std::string& unit) { spec.section.map.options.elevation_unit = unit; }),
+        number("section.smoothing_m", "m", positive, "no smoothing",
+               "Width of the window in which elevations on a map are smoothed by local regression.",
+               [](CaseSpec& spec, double metres) { spec.section.map.smoothing_m = metres; }),
     };
 }
 
@@ -275,9 +317,9 @@ std::vector<Parameter> numerical_run_parameters() {
 
 std::vector<Parameter> whole_table() {
     std::vector<Parameter> table;
-    for (const auto& part :
-         {section_parameters(), source_shape_parameters(), source_place_parameters(), material_parameters(),
-          effect_parameters(), physical_run_parameters(), numerical_run_parameters()})
+    for (const auto& part : {section_parameters(), line_parameters(), raster_parameters(),
+                             source_shape_parameters(), source_place_parameters(), material_parameters(),
+                             effect_parameters(), physical_run_parameters(), numerical_run_parameters()})
         table.insert(table.end(), part.begin(), part.end());
     return table;
 }

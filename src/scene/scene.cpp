@@ -20,7 +20,7 @@ constexpr double most_particles = 5e6;
 
 Profile read_ground(const SectionSpec& section) {
     if (!section.file.empty()) return read_profile_csv(section.file, section.options);
-    return read_profile_dem({section.raster, section.line, section.sampling_m}, section.options);
+    return read_map_section(section.map, section.options);
 }
 
 bool dips(SourceType type) {
@@ -97,10 +97,28 @@ void check_friction_angle(const CaseSpec& spec) {
 
 }  // namespace
 
-Site make_site(const CaseSpec& spec) {
+std::vector<CaseSpec> section_cases(const CaseSpec& spec) {
     check_keys_go_together(spec);
+    if (spec.section.map.line.file.empty()) return {spec};
+    const std::vector<SectionFeature> features = section_features(spec.section.map.line);
+    if (features.size() == 1) return {spec};
+    std::vector<CaseSpec> cases;
+    for (const SectionFeature& feature : features) {
+        CaseSpec& single = cases.emplace_back(spec);
+        single.section.map.line.feature_id = feature.feature_id;
+        single.name = fmt::format("{}-{}", spec.name, feature.label);
+    }
+    return cases;
+}
+
+Profile make_ground(const CaseSpec& spec) {
+    check_keys_go_together(spec);
+    return read_ground(spec.section);
+}
+
+Site make_site(const CaseSpec& spec) {
     Site site;
-    site.profile = read_ground(spec.section);
+    site.profile = make_ground(spec);
     site.source = derive_source(site.profile, with_defaults(spec, site.assumed));
     say_where_it_was_put(spec, site, site.assumed);
     return site;

@@ -43,6 +43,18 @@ constexpr std::array stage = {
     RealColumn<StageRow>{"run_out_m", &StageRow::run_out_m},
 };
 
+constexpr std::array frame_scale = {
+    RealColumn<FrameScale>{"time_s", &FrameScale::time_s},
+    RealColumn<FrameScale>{"x_low_m", &FrameScale::x_low_m},
+    RealColumn<FrameScale>{"x_step_m", &FrameScale::x_step_m},
+    RealColumn<FrameScale>{"y_low_m", &FrameScale::y_low_m},
+    RealColumn<FrameScale>{"y_step_m", &FrameScale::y_step_m},
+    RealColumn<FrameScale>{"speed_low_m_s", &FrameScale::speed_low_m_s},
+    RealColumn<FrameScale>{"speed_step_m_s", &FrameScale::speed_step_m_s},
+    RealColumn<FrameScale>{"pressure_low_pa", &FrameScale::pressure_low_pa},
+    RealColumn<FrameScale>{"pressure_step_pa", &FrameScale::pressure_step_pa},
+};
+
 constexpr std::array snapshot = {
     SnapshotColumn{"x_m", &Snapshot::x_m},
     SnapshotColumn{"y_m", &Snapshot::y_m},
@@ -55,6 +67,7 @@ constexpr std::array snapshot = {
 static_assert(sizeof(SeriesRow) == series.size() * sizeof(double));
 static_assert(sizeof(DepositRow) == deposit.size() * sizeof(double));
 static_assert(sizeof(StageRow) == stage.size() * sizeof(double));
+static_assert(sizeof(FrameScale) == frame_scale.size() * sizeof(double));
 static_assert(sizeof(Snapshot) == sizeof(double) + snapshot.size() * sizeof(std::vector<float>));
 
 }  // namespace
@@ -70,6 +83,9 @@ std::span<const RealColumn<DepositRow>> deposit_columns() {
 }
 std::span<const RealColumn<StageRow>> stage_columns() {
     return stage;
+}
+std::span<const RealColumn<FrameScale>> frame_scale_columns() {
+    return frame_scale;
 }
 std::span<const SnapshotColumn> snapshot_columns() {
     return snapshot;

@@ -26,6 +26,7 @@ struct RealColumn {
 std::span<const RealColumn<SeriesRow>> series_columns();
 std::span<const RealColumn<DepositRow>> deposit_columns();
 std::span<const RealColumn<StageRow>> stage_columns();
+std::span<const RealColumn<FrameScale>> frame_scale_columns();
 
 /// One array of a snapshot.
 struct SnapshotColumn {

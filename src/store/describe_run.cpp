@@ -28,6 +28,7 @@ StoredRun describe_run(const Scene& scene, const RunResult& result) {
     StoredRun run;
     run.name = scene.name;
     run.section_origin = scene.profile.origin;
+    if (scene.profile.map_line) run.section_attributes = scene.profile.map_line->attributes;
     run.source_type = to_string(scene.source.type);
     run.discontinuity_angle_deg = degrees(scene.source.discontinuity_angle);
     run.drop_height_datum = to_string(scene.source.datum);

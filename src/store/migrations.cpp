@@ -40,6 +40,47 @@ CREATE TABLE stage (
 ) STRICT, WITHOUT ROWID;
 )"},
         Migration{2, R"(
+CREATE TABLE map_line (
+    line_id INTEGER PRIMARY KEY,
+    line_hash TEXT NOT NULL UNIQUE,
+    crs TEXT NOT NULL
+) STRICT;
+CREATE TABLE map_line_point (
+    line_id INTEGER NOT NULL REFERENCES map_line ON DELETE CASCADE,
+    point_index INTEGER NOT NULL,
+    chainage_m REAL NOT NULL,
+    x REAL NOT NULL,
+    y REAL NOT NULL,
+    PRIMARY KEY (line_id, point_index)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE map_line_attribute (
+    line_id INTEGER NOT NULL REFERENCES map_line ON DELETE CASCADE,
+    attribute_index INTEGER NOT NULL,
+    name TEXT NOT NULL,
+    value ANY,
+    PRIMARY KEY (line_id, attribute_index)
+) STRICT, WITHOUT ROWID;
+ALTER TABLE run ADD COLUMN line_id INTEGER REFERENCES map_line;
+CREATE TABLE frame (
+    run_id INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index INTEGER NOT NULL,
+    time_s REAL NOT NULL,
+    x_low_m REAL NOT NULL,
+    x_step_m REAL NOT NULL,
+    y_low_m REAL NOT NULL,
+    y_step_m REAL NOT NULL,
+    speed_low_m_s REAL NOT NULL,
+    speed_step_m_s REAL NOT NULL,
+    pressure_low_pa REAL NOT NULL,
+    pressure_step_pa REAL NOT NULL,
+    x BLOB NOT NULL,
+    y BLOB NOT NULL,
+    speed BLOB NOT NULL,
+    pressure BLOB NOT NULL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT;
+)"},
+        Migration{3, R"(
 CREATE TABLE invariant (
     run_id INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
     invariant TEXT NOT NULL,

@@ -14,6 +14,7 @@
 #include <type_traits>
 
 #include "store/columns.h"
+#include "store/run_places.h"
 
 namespace runout {
 namespace {
@@ -178,9 +179,10 @@ StoredRun read_run(const Statement& row) {
     return run;
 }
 
-std::vector<StoredRun> read_runs(Statement& statement) {
+std::vector<StoredRun> read_runs(Database& database, Statement& statement) {
     std::vector<StoredRun> runs;
     while (statement.executeStep()) runs.push_back(read_run(statement));
+    for (StoredRun& run : runs) run.section_attributes = select_attributes(database, run.run_id);
     return runs;
 }
 
@@ -257,13 +259,19 @@ void insert_invariants(Database& database, long run_id, const std::vector<Invari
 
 std::vector<StoredRun> select_runs(Database& database) {
     Statement statement(database, select_runs_sql(""));
-    return read_runs(statement);
+    return read_runs(database, statement);
 }
 
 std::vector<StoredRun> select_runs(Database& database, long run_id) {
     Statement statement(database, select_runs_sql("WHERE run.run_id = ?"));
     statement.bind(1, run_id);
-    return read_runs(statement);
+    return read_runs(database, statement);
+}
+
+std::vector<StoredRun> select_runs_on_section(Database& database, long section_id) {
+    Statement statement(database, select_runs_sql("WHERE section.section_id = ?"));
+    statement.bind(1, section_id);
+    return read_runs(database, statement);
 }
 
 std::optional<long> select_run_of(Database& database, const std::string& scenario_hash) {

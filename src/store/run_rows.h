@@ -27,6 +27,9 @@ void insert_invariants(SQLite::Database& database, long run_id, const std::vecto
 std::vector<StoredRun> select_runs(SQLite::Database& database);
 std::vector<StoredRun> select_runs(SQLite::Database& database, long run_id);
 
+/// All runs on this section, in the order of their ids.
+std::vector<StoredRun> select_runs_on_section(SQLite::Database& database, long section_id);
+
 /// The latest run of a scenario that was not interrupted.
 std::optional<long> select_run_of(SQLite::Database& database, const std::string& scenario_hash);
 

@@ -48,7 +48,7 @@ std::string sha256_hex(const std::string& text) {
 // be decided whether it changes the result.
 
 std::string section_text(const Profile& profile) {
-    const auto& [ground, crest, toe, toe_chainage, toe_elevation, descends, origin] = profile;
+    const auto& [ground, crest, toe, toe_chainage, toe_elevation, descends, origin, map_line] = profile;
     CanonicalText text;
     text.add("crest", static_cast<double>(crest));
     text.add("toe", static_cast<double>(toe));
@@ -128,6 +128,18 @@ SceneIdentity scene_identity(const Scene& scene) {
 
 std::string scenario_hash(const Scene& scene) {
     return scene_identity(scene).scenario;
+}
+
+std::string map_line_hash(const MapLine& line) {
+    const auto& [crs, points, chainages, attributes] = line;
+    CanonicalText text;
+    text.add("crs", crs);
+    text.add("points", points);
+    for (const double chainage : chainages) text.add("chainage", chainage);
+    for (const Attribute& attribute : attributes)
+        text.add(attribute.name.c_str(),
+                 fmt::format("{} {}", attribute.value.index(), text_of(attribute.value)));
+    return sha256_hex(text.text());
 }
 
 std::string friction_scheme_name(FrictionScheme scheme) {

@@ -15,6 +15,9 @@ struct SceneIdentity {
 };
 SceneIdentity scene_identity(const Scene& scene);
 
+/// SHA-256 (hex) of a line on a map with its attributes.
+std::string map_line_hash(const MapLine& line);
+
 /// "projected", "explicit".
 std::string friction_scheme_name(FrictionScheme scheme);
 

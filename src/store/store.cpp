@@ -8,6 +8,9 @@
 
 #include "core/input_error.h"
 #include "store/database.h"
+#include "store/frame_rows.h"
+#include "store/record.h"
+#include "store/run_places.h"
 #include "store/run_rows.h"
 #include "store/write_scenario.h"
 
@@ -43,9 +46,11 @@ long Store::add(const Scene& scene, const RunResult& result) {
         // Immediate: a second writer waits here, and not halfway, where SQLite could only refuse it.
         SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
         const long run_id = insert_run(database, scenario_row(database, scene), describe_run(scene, result));
+        if (scene.profile.map_line) set_map_line(database, run_id, *scene.profile.map_line);
         insert_series(database, run_id, result.series);
         insert_deposit(database, run_id, result.deposit);
         insert_snapshots(database, run_id, result.snapshots);
+        insert_frames(database, run_id, result.frames);
         insert_stages(database, run_id, result.stages);
         insert_phases(database, run_id, result.phases);
         insert_invariants(database, run_id, result.invariants);
@@ -67,6 +72,16 @@ StoredRun Store::run(long run_id) const {
     return found.front();
 }
 
+std::vector<StoredRun> Store::runs_on_section(long section_id) const {
+    auto found = impl_->with_database(
+        [=](SQLite::Database& database) { return select_runs_on_section(database, section_id); });
+    if (found.empty())
+        throw InputError(
+            {.file = impl_->path, .line = 0, .key = "section_id", .value = std::to_string(section_id)},
+            "no run on such a section", "`runout report --run` shows the section of a run");
+    return found;
+}
+
 std::optional<long> Store::find_run(const std::string& scenario_hash) const {
     return impl_->with_database(
         [&](SQLite::Database& database) { return select_run_of(database, scenario_hash); });
@@ -75,6 +90,24 @@ std::optional<long> Store::find_run(const std::string& scenario_hash) const {
 std::vector<Snapshot> Store::snapshots(long run_id) const {
     return impl_->with_database(
         [=](SQLite::Database& database) { return select_snapshots(database, run_id); });
+}
+
+std::vector<Frame> Store::frames(long run_id) const {
+    return impl_->with_database([=](SQLite::Database& database) { return select_frames(database, run_id); });
+}
+
+SectionGeometry Store::geometry(long run_id) const {
+    return impl_->with_database(
+        [=](SQLite::Database& database) { return select_geometry(database, run_id); });
+}
+
+std::vector<StoredFact> Store::facts(long run_id) const {
+    return impl_->with_database([=](SQLite::Database& database) { return select_facts(database, run_id); });
+}
+
+std::vector<StoredTable> Store::further_tables(long run_id) const {
+    return impl_->with_database(
+        [=](SQLite::Database& database) { return select_further_tables(database, run_id); });
 }
 
 std::vector<StageRow> Store::stages(long run_id) const {
@@ -96,6 +129,15 @@ std::vector<PhaseTime> Store::phases(long run_id) const {
 std::vector<InvariantRow> Store::invariants(long run_id) const {
     return impl_->with_database(
         [=](SQLite::Database& database) { return select_invariants(database, run_id); });
+}
+
+std::optional<RunPlace> Store::place(long run_id) const {
+    return impl_->with_database([=](SQLite::Database& database) { return select_place(database, run_id); });
+}
+
+Question Store::question(long run_id) const {
+    return impl_->with_database(
+        [=](SQLite::Database& database) { return select_question(database, run_id); });
 }
 
 }  // namespace runout

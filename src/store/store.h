@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "measures/measures.h"
@@ -19,6 +20,7 @@ struct StoredRun {
     long run_id = 0;  ///< 0: not stored
     std::string name;
     std::string section_origin;
+    std::vector<Attribute> section_attributes{};  ///< what the map said of the section line
     std::string source_type;
     double discontinuity_angle_deg = 0;  ///< of the plane that bounds front_area_m2
     std::string drop_height_datum;       ///< point of the source that drop_height_m is measured to
@@ -37,9 +39,58 @@ struct StoredRun {
     RunWork work;
 };
 
+/// Ground and source of a run, local frame.
+struct SectionGeometry {
+    long section_id = 0;
+    Profile profile;  ///< its origin is the file that the run names
+    Polygon outline;  ///< of the source
+    Polyline bed;     ///< the ground left when the source has gone
+    Vec2 exit_point{0, 0};
+    Vec2 head{0, 0};
+    double discontinuity_angle = 0;  ///< rad, of the plane through the exit point
+};
+
+/// Nothing, or a value as the database has it.
+using StoredValue = std::variant<std::monostate, long, double, std::string>;
+
+/// One column of the rows that belong to a run, whatever version of the format added it.
+struct StoredFact {
+    std::string table;    ///< run, scenario, source, section or measure
+    std::string column;   ///< with its unit
+    std::string meaning;  ///< the comment in db/schema.sql; empty if there is none
+    StoredValue value;
+};
+
+/// Rows of a run in a table that has no reader of its own here.
+struct StoredTable {
+    std::string name;
+    std::string meaning;  ///< the comment above the table in db/schema.sql
+    std::vector<std::string> columns;
+    std::vector<std::vector<StoredValue>> rows;
+};
+
 /// The run that has just ended, by this program on this machine, as `Store::add` writes it. For telling the
 /// result when there is no database, or when it could not be written.
 StoredRun describe_run(const Scene& scene, const RunResult& result);
+
+/// Where a run took place: the section in chainages and elevations of its origin, and on the map.
+struct RunPlace {
+    double toe_chainage_m = 0;
+    double toe_elevation_m = 0;
+    bool descends_with_chainage = true;
+    Polyline bed;  ///< what the source leaves and the ground before it, from the uphill to the distal end
+    Polygon source_outline;
+    Vec2 head{0, 0};        ///< upper end of the source on the ground
+    Vec2 exit_point{0, 0};  ///< P, where the slip surface daylights
+    MapLine line;
+};
+
+/// What a run was asked, apart from its ground, as JSON: equal texts are equal questions.
+struct Question {
+    std::string physical;   ///< kind of source, soil and effects
+    std::string source;     ///< its source among those of the database
+    std::string numerical;  ///< resolution, schemes and tolerances
+};
 
 /// The results database, format in db/schema.sql. One transaction a run, so nothing is ever half written; any
 /// number of programs may write one file.
@@ -64,6 +115,8 @@ class Store {
     [[nodiscard]] std::vector<StoredRun> runs() const;
     /// Throws InputError when there is no such run.
     [[nodiscard]] StoredRun run(long run_id) const;
+    /// All runs on a section, in the order they were stored. Throws InputError when there is no such section.
+    [[nodiscard]] std::vector<StoredRun> runs_on_section(long section_id) const;
     /// The latest run of this scenario that the user did not interrupt.
     [[nodiscard]] std::optional<long> find_run(const std::string& scenario_hash) const;
     [[nodiscard]] std::vector<SeriesRow> series(long run_id) const;
@@ -71,7 +124,16 @@ class Store {
     [[nodiscard]] std::vector<PhaseTime> phases(long run_id) const;
     [[nodiscard]] std::vector<InvariantRow> invariants(long run_id) const;
     [[nodiscard]] std::vector<Snapshot> snapshots(long run_id) const;
+    [[nodiscard]] std::vector<Frame> frames(long run_id) const;
     [[nodiscard]] std::vector<StageRow> stages(long run_id) const;
+    /// None when the section came from a CSV, which does not say where it lies.
+    [[nodiscard]] std::optional<RunPlace> place(long run_id) const;
+    [[nodiscard]] Question question(long run_id) const;
+
+    // What a report prints without knowing every column.
+    [[nodiscard]] SectionGeometry geometry(long run_id) const;
+    [[nodiscard]] std::vector<StoredFact> facts(long run_id) const;
+    [[nodiscard]] std::vector<StoredTable> further_tables(long run_id) const;
 
   private:
     struct Impl;

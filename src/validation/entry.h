@@ -37,7 +37,7 @@ bool within_band(const ValidationEntry& entry);
 
 /// Points of one curve of a figure, in its units.
 struct Curve {
-    enum class Style { line, dashed, markers };
+    enum class Style { line, dashed, markers, area };  ///< area: a closed polygon, filled
     std::string label{};
     Style style = Style::line;
     std::vector<Vec2> points{};

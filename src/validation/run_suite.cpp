@@ -52,17 +52,20 @@ Scene scene_of(const PlannedRun& run, const std::string& folder, const std::stri
 /// Runs of several cases, each scenario once: a coarse lattice of one ensemble may be a fine one of another.
 class WorkList {
   public:
-    WorkList(std::span<const ValidationCase> cases, const Store& store, const SuiteOptions& options) {
-        for (const ValidationCase& item : cases) {
-            for (const PlannedRun& run : item.plan(options.quick)) {
-                const std::string name = fmt::format("{}/{}", item.name, run.id);
-                add(item.name, run.id, name, scene_of(run, options.cases_folder, name), store);
-            }
+    /// Adds the runs of one case that the store lacks.
+    void plan(const std::string& case_name, const std::vector<PlannedRun>& runs, const Store& store,
+              const SuiteOptions& options) {
+        for (const PlannedRun& run : runs) {
+            const std::string name = fmt::format("{}/{}", case_name, run.id);
+            add(case_name, run.id, name, scene_of(run, options.cases_folder, name), store);
         }
-        std::ranges::stable_sort(jobs_, std::greater<>{}, &Job::expected_work);
     }
 
-    [[nodiscard]] const std::vector<Job>& jobs() const { return jobs_; }
+    /// The longest first.
+    [[nodiscard]] const std::vector<Job>& jobs() {
+        std::ranges::stable_sort(jobs_, std::greater<>{}, &Job::expected_work);
+        return jobs_;
+    }
 
     [[nodiscard]] CaseRuns runs_of(const std::string& case_name, const Store& store) const {
         std::vector<std::pair<std::string, long>> ids;
@@ -70,6 +73,12 @@ class WorkList {
         if (planned == planned_.end()) return {store, ids};
         for (const auto& [id, hash] : planned->second) ids.emplace_back(id, store.find_run(hash).value());
         return {store, ids};
+    }
+
+    [[nodiscard]] std::vector<long> ids_of(const std::string& case_name, const Store& store) const {
+        std::vector<long> ids;
+        for (const auto& [id, hash] : planned_.at(case_name)) ids.push_back(store.find_run(hash).value());
+        return ids;
     }
 
   private:
@@ -143,7 +152,8 @@ class Workers {
 
 std::vector<CaseReport> run_suite(std::span<const ValidationCase> cases, Store& store,
                                   const SuiteOptions& options) {
-    const WorkList list(cases, store, options);
+    WorkList list;
+    for (const ValidationCase& item : cases) list.plan(item.name, item.plan(options.quick), store, options);
     Workers(list.jobs(), store, options).run();
     if (options.interrupt != nullptr && options.interrupt->load()) return {};
     std::vector<CaseReport> reports;
@@ -152,6 +162,15 @@ std::vector<CaseReport> run_suite(std::span<const ValidationCase> cases, Store& 
                                         options.cases_folder + "/" + item.name, options.quick));
     }
     return reports;
+}
+
+std::vector<long> run_planned(const std::string& name, const std::vector<PlannedRun>& runs, Store& store,
+                              const SuiteOptions& options) {
+    WorkList list;
+    list.plan(name, runs, store, options);
+    Workers(list.jobs(), store, options).run();
+    if (options.interrupt != nullptr && options.interrupt->load()) return {};
+    return list.ids_of(name, store);
 }
 
 }  // namespace runout

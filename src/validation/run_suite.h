@@ -27,4 +27,10 @@ struct SuiteOptions {
 std::vector<CaseReport> run_suite(std::span<const ValidationCase> cases, Store& store,
                                   const SuiteOptions& options);
 
+/// Simulates planned runs that `store` does not hold yet and returns the ids of all, in their order; they are
+/// named `name`/id. Files are relative to options.cases_folder. Empty when interrupted. Throws InputError as
+/// run_suite.
+std::vector<long> run_planned(const std::string& name, const std::vector<PlannedRun>& runs, Store& store,
+                              const SuiteOptions& options);
+
 }  // namespace runout

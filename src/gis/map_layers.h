@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gis/map_line.h"
+
+namespace runout {
+
+enum class GeometryKind { point, line, polygon };
+
+/// One thing on the map: a point, a chain of points, or a ring whose first point is not repeated.
+struct MapFeature {
+    Polyline points;
+    std::vector<Attribute> attributes;  ///< NaN and nothing are written as NULL
+};
+
+/// Features of one kind. The fields of the layer are all attributes of its features, in the order they come.
+struct MapLayer {
+    std::string name;
+    std::string title;  ///< for people
+    GeometryKind kind = GeometryKind::line;
+    std::vector<MapFeature> features;
+    std::string style;  ///< QGIS layer style (QML)
+};
+
+/// Layers whose points are in the coordinate system `crs` (WKT or "EPSG:2326").
+struct MapSheet {
+    std::string crs;
+    std::vector<MapLayer> layers;
+};
+
+/// Writes the layers that have features, whole or not at all, to a file that does not exist or may be
+/// replaced:
+/// - .gpkg: one layer each, in `target_crs` (empty: as they are), with the table of styles that QGIS reads;
+/// - .geojson, .json: one collection in WGS 84 (RFC 7946), the member `layer` telling which one a feature
+///   belongs to.
+/// Throws InputError: another ending, a place that cannot be written, an unknown coordinate system.
+void write_map(const std::string& path, const MapSheet& sheet, const std::string& target_crs);
+
+/// Throws InputError when write_map could not write there by its name.
+void check_map_path(const std::string& path, const std::string& target_crs);
+
+}  // namespace runout

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "program/command.h"
+#include "program/interrupt.h"
+#include "report/back_analysis_text.h"
+#include "store/store.h"
+#include "validation/back_analysis.h"
+
+namespace runout {
+namespace {
+
+struct BackAnalysisArguments {
+    std::string folder;
+    std::string database = "back-analysis.db";
+    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    bool quiet = false;
+};
+
+int back_analyse(const BackAnalysisArguments& arguments) {
+    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
+    const BackAnalysis analysis = read_back_analysis(arguments.folder);
+    Store store(arguments.database, Store::Mode::write);
+    InterruptWatch interrupt;
+    SuiteOptions options;
+    options.jobs = arguments.jobs;
+    options.interrupt = &interrupt.requested();
+    options.on_run = [](int done, int total, const std::string& name) {
+        spdlog::info("{} of {} runs: {}", done, total, name);
+    };
+    const std::vector<long> ids = run_back_analysis(analysis, store, options);
+    if (ids.empty()) {
+        spdlog::warn("interrupted; finished runs are in {} and will not be repeated", arguments.database);
+        return exit_code::interrupted;
+    }
+    std::vector<StoredRun> runs;
+    for (const long id : ids) runs.push_back(store.run(id));
+    fmt::print("{}", back_analysis_text(analysis, runs));
+    return std::ranges::all_of(runs, [](const StoredRun& run) { return is_result(run.status); })
+               ? exit_code::success
+               : exit_code::not_a_result;
+}
+
+}  // namespace
+
+void add_back_analysis_command(CLI::App& app, Command& command) {
+    const auto arguments = std::make_shared<BackAnalysisArguments>();
+    CLI::App* sub = app.add_subcommand("back-analysis",
+                                       "Run a documented failure over the ranges of what is not known of it");
+    sub->add_option("FOLDER", arguments->folder, "Folder with case.toml, ranges.csv and observed.csv")
+        ->required()
+        ->type_name("");
+    sub->add_option("--db", arguments->database,
+                    "Database that takes the runs; what it holds is not repeated")
+        ->type_name("PATH")
+        ->capture_default_str();
+    sub->add_option("-j,--jobs", arguments->jobs, "Runs at a time")
+        ->type_name("number")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    sub->add_flag("--quiet", arguments->quiet, "No log but errors");
+    sub->callback([arguments, &command] { command = [arguments] { return back_analyse(*arguments); }; });
+}
+
+}  // namespace runout

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <limits>
+#include <memory>
+
+#include "core/input_error.h"
+#include "program/command.h"
+#include "program/output_file.h"
+#include "program/run_choice.h"
+#include "report/comparison.h"
+#include "store/store.h"
+
+namespace runout {
+namespace {
+
+struct CompareArguments {
+    RunChoice choice;
+    std::string output;
+    double width = std::numeric_limits<double>::quiet_NaN();
+};
+
+int compare(const CompareArguments& arguments) {
+    if (!arguments.output.empty()) check_output_place(arguments.output, "-o");
+    const Store store(arguments.choice.database, Store::Mode::read);
+    const RunData run = read_run_data(store, chosen_run(store, arguments.choice));
+    const std::string refusal = comparison_refusal(run);
+    if (!refusal.empty())
+        throw InputError({.file = arguments.choice.database,
+                          .line = 0,
+                          .key = "run",
+                          .value = std::to_string(run.run.run_id)},
+                         "cannot be compared: " + refusal, "name a settled run with --run");
+    const Comparison comparison = compare_run(run, arguments.width);
+    fmt::print("{}", comparison_text(run, comparison));
+    if (arguments.output.empty()) return exit_code::success;
+    write_output_file(arguments.output, "-o", comparison_page(run, comparison));
+    spdlog::info("wrote {}", arguments.output);
+    return exit_code::success;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, Command& command) {
+    const auto arguments = std::make_shared<CompareArguments>();
+    CLI::App* sub = app.add_subcommand(
+        "compare", "Put a stored run beside empirical relations and documented landslides");
+    add_run_choice(*sub, arguments->choice);
+    add_width_option(*sub, arguments->width);
+    sub->add_option("-o,--output", arguments->output, "Also write a page with the chart")->type_name("PATH");
+    sub->callback([arguments, &command] { command = [arguments] { return compare(*arguments); }; });
+}
+
+}  // namespace runout

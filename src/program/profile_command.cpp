@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+
+#include "core/input_error.h"
+#include "core/units.h"
+#include "program/case_arguments.h"
+#include "program/command.h"
+#include "report/section_view.h"
+#include "report/svg_chart.h"
+
+namespace runout {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int drawing_columns = 78;
+
+struct ProfileArguments {
+    CaseArguments scenario;
+    std::string svg;
+};
+
+/// A section with its source. Where the case says nothing of a source, and the usual one does not fit, the
+/// ground alone is worth a look.
+struct ShownSection {
+    std::string name;
+    Profile profile;
+    std::optional<Source> source;
+    std::string no_source;  ///< why there is none
+};
+
+bool asks_for_source(const CaseSpec& spec) {
+    return spec.given.lower_bound("source.") != spec.given.lower_bound("source/");
+}
+
+ShownSection section_of(const CaseSpec& spec) {
+    ShownSection section{spec.name, make_ground(spec), std::nullopt, {}};
+    try {
+        section.source = make_site(spec).source;
+    } catch (const InputError& error) {
+        if (asks_for_source(spec)) throw;
+        section.no_source = error.what();
+    }
+    return section;
+}
+
+SectionView view_of(const ShownSection& section) {
+    return {section.profile, section.source ? &*section.source : nullptr};
+}
+
+/// One line a section.
+std::string overview(const std::vector<ShownSection>& sections) {
+    std::size_t widest = 4;
+    for (const ShownSection& section : sections) widest = std::max(widest, section.name.size());
+    std::string text = fmt::format("{:<{}}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}\n", "name", widest, "length",
+                                   "toe", "crest", "height", "face");
+    text += fmt::format("{:<{}}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}\n", "", widest, "m", "m", "m", "m", "deg");
+    for (const ShownSection& section : sections) {
+        const Profile& profile = section.profile;
+        const Vec2& crest = profile.ground[profile.crest];
+        text +=
+            fmt::format("{:<{}}  {:>8.1f}  {:>8.1f}  {:>8.1f}  {:>8.1f}  {:>8.1f}\n", section.name, widest,
+                        profile.ground.back().x() - profile.ground.front().x(), profile.toe_chainage_m,
+                        profile.to_section(crest).x(), crest.y(), degrees(profile.slope_angle()));
+    }
+    return text;
+}
+
+/// "out.svg", or "out-A.svg" for each of many sections; what a file name cannot hold becomes "_".
+std::string svg_path(const std::string& path, const std::string& name, bool many) {
+    if (!many) return path;
+    std::string safe = name;
+    for (char& letter : safe)
+        if (letter == '/' || letter == '\\' || letter == ':') letter = '_';
+    const fs::path whole(path);
+    return (whole.parent_path() /
+            fmt::format("{}-{}{}", whole.stem().string(), safe, whole.extension().string()))
+        .string();
+}
+
+void write_svg(const std::string& path, const ShownSection& section) {
+    std::ofstream file(path, std::ios::binary);
+    file << svg_chart(section_figure(view_of(section), section.name));
+    file.close();
+    if (!file)
+        throw InputError({"", 0, "--svg", path}, "cannot be written",
+                         "check that its folder exists, and its permissions");
+}
+
+int show_profile(const ProfileArguments& arguments) {
+    std::vector<ShownSection> sections;
+    for (const CaseSpec& spec : section_cases(case_from(arguments.scenario)))
+        sections.push_back(section_of(spec));
+    const bool many = sections.size() > 1;
+    if (!arguments.svg.empty())
+        for (const ShownSection& section : sections)
+            write_svg(svg_path(arguments.svg, section.name, many), section);
+    if (many) {
+        fmt::print("{}", overview(sections));
+        return exit_code::success;
+    }
+    const ShownSection& section = sections.front();
+    fmt::print("{}{}", section_text(view_of(section)), section_drawing(view_of(section), drawing_columns));
+    if (!section.no_source.empty()) spdlog::info("no source is shown: {}", section.no_source);
+    return exit_code::success;
+}
+
+}  // namespace
+
+void add_profile_command(CLI::App& app, Command& command) {
+    const auto arguments = std::make_shared<ProfileArguments>();
+    CLI::App* sub =
+        app.add_subcommand("profile", "Show the section that was read, with toe, crest and source");
+    add_case_arguments(*sub, arguments->scenario);
+    sub->add_option("--svg", arguments->svg, "Draw it into a file as well")
+        ->type_name("PATH")
+        ->group("Output");
+    sub->callback([arguments, &command] { command = [arguments] { return show_profile(*arguments); }; });
+}
+
+}  // namespace runout

@@ -1,0 +1,36 @@
+#include "program/run_choice.h"
+
+#include "core/input_error.h"
+
+namespace runout {
+
+void add_run_choice(CLI::App& subcommand, RunChoice& choice) {
+    subcommand.add_option("DB", choice.database, "Database of runs, such as runout.db")
+        ->required()
+        ->type_name("");
+    subcommand.add_option("--run", choice.run_id, "Number of the run; the last result if none is given")
+        ->type_name("ID");
+}
+
+void add_width_option(CLI::App& subcommand, double& width) {
+    subcommand
+        .add_option(
+            "--width", width,
+            "Width of the slide across the section: area times width is the volume that most relations ask "
+            "for")
+        ->type_name("m")
+        ->check(CLI::Range(1e-3, 1e6));
+}
+
+long chosen_run(const Store& store, const RunChoice& choice) {
+    if (choice.run_id) return *choice.run_id;
+    const std::vector<StoredRun> runs = store.runs();
+    if (runs.empty())
+        throw InputError({.file = choice.database, .line = 0, .key = {}, .value = {}}, "holds no runs",
+                         "store one first: runout run CASE --db " + choice.database);
+    for (auto run = runs.rbegin(); run != runs.rend(); ++run)
+        if (is_result(run->status)) return run->run_id;
+    return runs.back().run_id;
+}
+
+}  // namespace runout
