@@ -58,15 +58,16 @@ std::string unsound(const StressOutcome& outcome, std::span<const StressAxis> ax
     text += "\n ";
     for (const StressAxis& axis : axes)
         text += fmt::format(" {} {:.5g}", axis.name, outcome.point.*axis.value);
-    return text + "\n";
+    text += "\n";
+    return text;
 }
 
 }  // namespace
 
 std::string stress_table(const std::vector<StressOutcome>& outcomes, std::span<const StressAxis> axes) {
-    std::string text = endings(outcomes) + "\n" + margins(outcomes);
+    std::string text = fmt::format("{}\n{}", endings(outcomes), margins(outcomes));
     for (const StressOutcome& outcome : outcomes)
-        if (!is_sound(outcome)) text += "\n" + unsound(outcome, axes);
+        if (!is_sound(outcome)) text += fmt::format("\n{}", unsound(outcome, axes));
     return text;
 }
 

@@ -10,6 +10,7 @@
 #include "scene/case_checks.h"
 #include "scene/case_spec.h"
 #include "scene/parameters.h"
+#include "scene/rest_check.h"
 
 namespace runout {
 namespace {
@@ -89,10 +90,9 @@ void check_friction_angle(const CaseSpec& spec) {
     if (std::isnan(spec.material.friction_angle))
         throw InputError(spec.place("material.friction_angle_deg"), "is missing",
                          "give the internal friction angle, 0 <= number < 80 deg");
-    if (spec.material.friction_angle == 0 && spec.run.time_limit <= 0)
-        throw InputError(spec.place("material.friction_angle_deg"),
-                         "leaves nothing that would bring the mass to rest",
-                         "give run.time_limit_s as well, and the run ends there");
+    const bool base = spec.has("effects.base_friction.angle_deg");
+    check_comes_to_rest(spec.material, spec.effects, spec.run,
+                        spec.place(base ? "effects.base_friction.angle_deg" : "material.friction_angle_deg"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/units.h"
+#include "scene/rest_check.h"
 #include "stress/hillside.h"
 
 namespace runout {
@@ -53,13 +54,13 @@ double height_of_source(const StressPoint& p, SourceKind kind) {
 }
 
 /// Long enough by the energy line from the crest to the tip of the debris, which goes further than the middle
-/// of it does, and for a heap that spreads on level ground.
-double run_out_length(const StressPoint& p, double height) {
+/// of it does, and for a heap that spreads on level ground. `reach`: of the tip over that of the energy line.
+double run_out_length(const StressPoint& p, double height, double reach) {
     const double strength = std::max(strength_on_bed(p), 0.01);
     const double repose = std::atan(strength);
     const double fall = p.run_out_slope_share * repose;
     const double stopping = strength - std::tan(std::max(fall, 0.0));
-    return 2.5 * height / stopping + 10 * p.size_m / std::sqrt(strength);
+    return reach * height / stopping + 10 * p.size_m / std::sqrt(strength);
 }
 
 Hillside hillside_of(const StressPoint& p, SourceKind kind) {
@@ -73,8 +74,8 @@ Hillside hillside_of(const StressPoint& p, SourceKind kind) {
     h.detail = p.detail_ratio * p.size_m;
     if (h.shape == HillsideShape::steps) h.detail = p.size_m / p.resolution;  // at the scale of a particle
     const double fall = kind == SourceKind::falling_block ? p.drop_height_ratio * p.size_m : 0.0;
-    h.run_out_length = run_out_length(p, h.height + fall);
-    // What falls on level ground splashes both ways.
+    // What falls on level ground splashes both ways, in jets of up to twice the speed of the fall.
+    h.run_out_length = run_out_length(p, h.height + fall, kind == SourceKind::falling_block ? 5.0 : 2.5);
     if (kind == SourceKind::falling_block) h.bench = h.run_out_length;
     h.run_out_angle = p.run_out_slope_share * std::atan(strength_on_bed(p));
     return h;
@@ -164,6 +165,8 @@ Scene stress_scene(const StressPoint& p, const std::string& name) {
     scene.source = derive_source(scene.profile, spec);
     scene.material.friction_angle = radians(p.friction_angle_deg);
     scene.effects = effects_of(p);
+    check_comes_to_rest(scene.material, scene.effects, scene.run,
+                        {.file = name, .line = 0, .key = "effects.base_friction.angle_deg", .value = {}});
     scene.run.resolution = p.resolution;
     scene.run.gravity = p.gravity_m_s2;
     scene.run.threads = 1;

@@ -7,29 +7,11 @@
 #include "core/units.h"
 #include "scenes.h"
 #include "stress/hillside.h"
-#include "stress/stress_scene.h"
 
 namespace runout {
 namespace {
 
 using Scenes = std::vector<HardScene>;
-
-/// A plain slope of 60 deg with a box on it, from which each scene departs in a few numbers.
-StressPoint plain() {
-    StressPoint p;
-    p.slope_angle_deg = 60;
-    p.friction_angle_deg = 35;
-    p.base_friction_share = 3;
-    p.drop_height_ratio = 4;
-    p.aspect_ratio = 2;
-    p.base_angle_share = 0.5;
-    p.scarp_angle_share = 0.6;
-    p.detail_ratio = 0.5;
-    p.size_m = 5;
-    p.gravity_m_s2 = 9.81;
-    p.resolution = 10;
-    return p;
-}
 
 double code(SourceKind kind) {
     return static_cast<double>(kind) + 0.5;
@@ -44,7 +26,7 @@ void add(Scenes& scenes, bool quick, const std::string& name, const StressPoint&
 
 template <class Change>
 void add(Scenes& scenes, bool quick, const std::string& name, const Change& change) {
-    StressPoint p = plain();
+    StressPoint p = plain_hard_point();
     change(p);
     add(scenes, quick, name, p);
 }
@@ -107,7 +89,7 @@ void add_impacts(Scenes& scenes) {
     });
     for (const int particles : {4, 9, 25}) {
         scenes.push_back({fmt::format("particles_{}", particles), true, [=] {
-                              StressPoint p = plain();
+                              StressPoint p = plain_hard_point();
                               p.aspect_ratio = 1;
                               Scene scene = stress_scene(p, "few");
                               scene.run.particle_spacing = p.size_m / std::sqrt(particles);
@@ -115,7 +97,7 @@ void add_impacts(Scenes& scenes) {
                           }});
     }
     scenes.push_back({"landing_on_deposit", true, [] {
-                          StressPoint p = plain();
+                          StressPoint p = plain_hard_point();
                           p.source_kind = code(SourceKind::b);
                           Scene scene = stress_scene(p, "landing");
                           scene.effects.release = StagedRelease{3, 2.0, 1.5};
@@ -154,6 +136,22 @@ void add_frames(Scenes& scenes) {
 }
 
 }  // namespace
+
+StressPoint plain_hard_point() {
+    StressPoint p;
+    p.slope_angle_deg = 60;
+    p.friction_angle_deg = 35;
+    p.base_friction_share = 3;
+    p.drop_height_ratio = 4;
+    p.aspect_ratio = 2;
+    p.base_angle_share = 0.5;
+    p.scarp_angle_share = 0.6;
+    p.detail_ratio = 0.5;
+    p.size_m = 5;
+    p.gravity_m_s2 = 9.81;
+    p.resolution = 10;
+    return p;
+}
 
 std::vector<HardScene> hard_scenes() {
     Scenes scenes;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
+#include "stress/stress_scene.h"
 
 namespace runout {
 
@@ -14,6 +14,9 @@ struct HardScene {
     bool quick = false;           ///< part of every test run; the others belong to the full suite
     std::function<Scene()> make;  ///< with one thread
 };
+
+/// A plain slope of 60 deg with a box on it, from which each scene departs in a few numbers.
+StressPoint plain_hard_point();
 
 std::vector<HardScene> hard_scenes();
 

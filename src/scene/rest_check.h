@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/input_error.h"
+#include "scene/scene.h"
+
+namespace runout {
+
+/// Throws InputError, at `place`, where friction is too little to end the motion within any section and no
+/// time limit ends it: sliding on level ground a mass that fell by H goes H / strength.
+void check_comes_to_rest(const Material& material, const Effects& effects, const RunSettings& run,
+                         const InputPlace& place);
+
+}  // namespace runout
