@@ -71,7 +71,7 @@ class InvariantWatch {
     /// `density`: rho / rho_0 per particle.
     void observe(const Soil& soil, const std::vector<double>& density, const StepFacts& step);
 
-    /// "energy_rise at t = 0.31 s, x = 1.2 m: 0.034, at most 0.01" for the first one violated, if any.
+    /// "energy_rise at t = 0.31 s, x = 1.2 m: 0.034, at most 0.02" for the first one violated, if any.
     [[nodiscard]] const std::optional<std::string>& violation() const { return violation_; }
     [[nodiscard]] const InvariantReadings& readings() const { return readings_; }
 

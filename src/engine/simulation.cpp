@@ -131,7 +131,6 @@ void Simulation::step() {
     move(dt);
     StepFacts facts = guard_wall(dt);
     highest_pressure_ = solve.highest;
-    forget_impact();
 
     time_ += dt;
     ++work_.steps;
@@ -218,16 +217,6 @@ void Simulation::move(double dt) {
         return density;
     });
     work_.highest_density = std::max(work_.highest_density, highest);
-}
-
-/// By Bernoulli no steady flow has more pressure than the whole fall gives. What exceeds that is the impulse
-/// of an impact, which is spent within its step: carried over as a load, the next step's friction would
-/// resist a rebound that does not happen, and give energy to the motion.
-void Simulation::forget_impact() {
-    const double most = discretisation_.density * run_.gravity * height_;
-    if (highest_pressure_ <= most) return;
-    for (double& p : soil_.pressure) p = std::min(p, most);
-    for (double& p : wall_.pressure) p = std::min(p, most);
 }
 
 /// No particle beyond the bed line: it is put back by at most half a spacing, and its velocity into the bed

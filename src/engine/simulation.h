@@ -95,7 +95,6 @@ class Simulation {
     void find_pressure_gradient();
     void correct(double dt);
     void move(double dt);
-    void forget_impact();
     StepFacts guard_wall(double dt);
     void push_back(int i, double distance, const Vec2& normal);
     void judge(StepFacts& facts);
