@@ -8,7 +8,7 @@
 -- A change of the format raises user_version and adds a step to src/store/migrations.cpp.
 
 PRAGMA application_id = 1381322319;  -- the letters RUNO
-PRAGMA user_version = 4;
+PRAGMA user_version = 6;
 
 -- The ground along a section before the failure. Two files with the same ground share one row, so the name
 -- of the file belongs to the run.
@@ -127,9 +127,72 @@ CREATE TABLE run (
     wall_s                  REAL,
     cpu_s                   REAL,
     threads                 INTEGER NOT NULL,       -- used by this run
-    line_id                 INTEGER REFERENCES map_line   -- where it lies; NULL: the section came from a CSV
+    line_id                 INTEGER REFERENCES map_line,  -- where it lies; NULL: the section came from a CSV
+    peak_memory_mb          REAL NOT NULL DEFAULT 0,         -- resident memory of the program; 0: not known
+    machine                 TEXT NOT NULL DEFAULT '',        -- processor and hardware threads
+    accuracy_asked          TEXT NOT NULL DEFAULT '',        -- "5 %"; empty: the spacing was given
+    run_out_error_m         REAL,                            -- numerical uncertainty of run_out_m, 95 %; NULL: not estimated
+    reach_angle_error_deg   REAL,                            -- and of reach_angle_deg
+    error_origin            TEXT NOT NULL DEFAULT 'none' CHECK (error_origin IN ('ladder', 'pilot', 'none')),
+    error_note              TEXT NOT NULL DEFAULT '',        -- how they were found, one sentence
+    expected_cpu_s          REAL,                            -- as the cost model foretold it; NULL: it did not
+    choosing_cpu_s          REAL NOT NULL DEFAULT 0          -- spent on pilot runs for this run
 ) STRICT;
 CREATE INDEX run_of_scenario ON run (scenario_id);
+
+-- Coarse runs of the same scene that were made for choosing the spacing of a run and for its error bar.
+CREATE TABLE pilot (
+    run_id               INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index            INTEGER NOT NULL,
+    resolution           REAL,      -- sqrt(S) / particle spacing
+    lattice_seed         REAL,
+    run_out_m            REAL,      -- NULL: did not end as a result
+    reach_angle_deg      REAL,
+    deposit_height_m     REAL,
+    particles            REAL,
+    steps                REAL,
+    pressure_iterations  REAL,
+    cpu_s                REAL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT, WITHOUT ROWID;
+
+-- A study of what accuracy costs: one question asked with several spacings and settings.
+CREATE TABLE ladder (
+    ladder_id      INTEGER PRIMARY KEY AUTOINCREMENT,
+    question_hash  TEXT NOT NULL,      -- SHA-256 of all that determines the result but spacing and lattice
+    name           TEXT NOT NULL,
+    ended_utc      TEXT NOT NULL,
+    target         TEXT NOT NULL,      -- "5 %"
+    machine        TEXT NOT NULL
+) STRICT;
+CREATE INDEX ladder_of_question ON ladder (question_hash);
+
+-- The runs of a study. series: what was varied, 'spacing' for the ladder proper; setting: its value.
+CREATE TABLE ladder_run (
+    ladder_id   INTEGER NOT NULL REFERENCES ladder ON DELETE CASCADE,
+    row_index   INTEGER NOT NULL,
+    series      TEXT NOT NULL,
+    setting     TEXT NOT NULL,
+    resolution  REAL NOT NULL,         -- sqrt(S) / particle spacing
+    run_id      INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    PRIMARY KEY (ladder_id, row_index)
+) STRICT, WITHOUT ROWID;
+
+-- What the ladder says of one quantity.
+CREATE TABLE ladder_verdict (
+    ladder_id               INTEGER NOT NULL REFERENCES ladder ON DELETE CASCADE,
+    quantity                TEXT NOT NULL,  -- column of measure
+    verdict                 TEXT NOT NULL,  -- converged, floor reached, oscillating, not converging, refining, too few rungs
+    finest_value            REAL,           -- mean over the lattices of the finest rung
+    uncertainty             REAL,           -- of one run on that rung, 95 %
+    lattice_scatter         REAL,           -- standard deviation of one lattice
+    observed_order          REAL,           -- of the three finest rungs
+    richardson_value        REAL,
+    grid_convergence_index  REAL,           -- of the finest value, a share of it; safety factor 1.25
+    fitted_order            REAL,           -- least squares over the finest rungs
+    fitted_value            REAL,           -- extrapolated to spacing zero
+    PRIMARY KEY (ladder_id, quantity)
+) STRICT;
 
 -- Where a section lies on a map. Two sections with the same ground may lie in two places, so the line belongs
 -- to the run and is no part of the identity of its scenario.
@@ -156,6 +219,22 @@ CREATE TABLE map_line_attribute (
     name             TEXT NOT NULL,
     value            ANY,
     PRIMARY KEY (line_id, attribute_index)
+) STRICT, WITHOUT ROWID;
+
+-- Many scenarios that were asked for together. A run may belong to several studies: what links them is the scenario.
+CREATE TABLE study (
+    study_id  INTEGER PRIMARY KEY,
+    name      TEXT NOT NULL UNIQUE,
+    text      TEXT NOT NULL          -- the study file as it stood
+) STRICT;
+
+CREATE TABLE study_scenario (
+    study_id        INTEGER NOT NULL REFERENCES study ON DELETE CASCADE,
+    scenario_index  INTEGER NOT NULL,   -- place in the study, from 0
+    scenario_hash   TEXT NOT NULL,      -- of the scenario; empty: refused
+    inputs          TEXT NOT NULL,      -- JSON: what the study varied
+    refusal         TEXT NOT NULL,      -- why the scenario was refused as input; empty when it was not
+    PRIMARY KEY (study_id, scenario_index)
 ) STRICT, WITHOUT ROWID;
 
 -- Seconds spent in each phase of the step.
@@ -293,6 +372,9 @@ SELECT run.name,
        section.slope_angle_deg,
        scenario.friction_angle_deg,
        run.status,
+       run.run_out_error_m,
+       run.reach_angle_error_deg,
+       run.error_origin,
        measure.*
 FROM run
 JOIN run_status USING (status)
@@ -301,3 +383,25 @@ JOIN source USING (source_id)
 JOIN section USING (section_id)
 JOIN measure USING (run_id)
 WHERE run_status.is_result = 1;
+
+-- Each rung of each study: means over the lattices that ended as results.
+CREATE VIEW ladder_rung AS
+SELECT ladder.ladder_id,
+       ladder.name,
+       ladder_run.series,
+       ladder_run.setting,
+       ladder_run.resolution,
+       count(*) AS lattices,
+       avg(run.particles) AS particles,
+       avg(run.steps) AS steps,
+       avg(run.cpu_s) AS cpu_s,
+       avg(measure.run_out_m) AS run_out_m,
+       avg(measure.reach_angle_deg) AS reach_angle_deg,
+       avg(measure.deposit_height_m) AS deposit_height_m
+FROM ladder
+JOIN ladder_run USING (ladder_id)
+JOIN run USING (run_id)
+JOIN run_status USING (status)
+JOIN measure USING (run_id)
+WHERE run_status.is_result = 1
+GROUP BY ladder.ladder_id, ladder_run.series, ladder_run.setting, ladder_run.resolution;

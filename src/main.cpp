@@ -20,6 +20,8 @@ constexpr const char* examples = R"(Examples:
   runout run case.toml --set material.friction_angle_deg=35 --db study.db --json
   runout source section.csv --source C --height 12 --area 60
   runout table runout.db --format csv
+  runout sweep study.toml --db sweep.db
+  runout accuracy cases/box-70/case.toml --target 5%
   runout profile sections.gpkg --raster dem.tif
   runout map runout.db -o results.gpkg
   runout report runout.db --run 3 -o report.html
@@ -82,7 +84,10 @@ int run_program(int argc, char** argv) {
     add_run_command(app, command);
     add_profile_command(app, command);
     add_source_command(app, command);
+    add_sweep_command(app, command);
+    add_merge_command(app, command);
     add_table_command(app, command);
+    add_accuracy_command(app, command);
     add_map_command(app, command);
     add_report_command(app, command);
     add_compare_command(app, command);

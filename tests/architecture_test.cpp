@@ -18,8 +18,8 @@ using Names = std::vector<std::string>;
 
 /// The arrow. A room may include itself and what stands before it; the program stands at the end.
 const Names& arrow() {
-    static const Names rooms = {"core",     "gis",   "profile",    "source", "scene",  "engine",
-                                "measures", "store", "validation", "stress", "report", "program"};
+    static const Names rooms = {"core",  "gis",      "profile", "source",     "scene",  "engine", "measures",
+                                "store", "accuracy", "study",   "validation", "stress", "report", "program"};
     return rooms;
 }
 
@@ -37,7 +37,8 @@ const std::vector<Library>& heavy_libraries() {
          std::regex("^(suitesparse/)?(cholmod|SuiteSparse|umfpack|amd|colamd).*|^Eigen/CholmodSupport"),
          {"engine"}},
         {"SQLite", std::regex("^(SQLiteCpp/.*|sqlite3.*)"), {"store"}},
-        {"toml++", std::regex("^toml\\+\\+/.*|^toml\\.hpp"), {"scene/case_file.cpp"}},
+        {"toml++", std::regex("^toml\\+\\+/.*|^toml\\.hpp"), {"scene/case_file.cpp", "study/study_file.cpp"}},
+        {"Boost", std::regex("^boost/.*"), {"study/distribution.cpp"}},
         {"CLI11", std::regex("^CLI/.*|^CLI11.*"), {"main.cpp", "program"}},
         {"spdlog", std::regex("^spdlog/.*"), {"main.cpp", "program"}},
         {"nlohmann-json", std::regex("^nlohmann/.*"), {"report", "program"}},

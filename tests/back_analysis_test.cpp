@@ -10,6 +10,8 @@
 #include <set>
 
 #include "report/back_analysis_text.h"
+#include "scene/case_file.h"
+#include "scene/scene.h"
 #include "store_fixture.h"
 
 namespace runout {
@@ -160,6 +162,23 @@ TEST(HongKong, CasesAreWellFormed) {
         EXPECT_LE(combinations(analysis).size(), 64u);
     }
     EXPECT_EQ(cases, 3);
+}
+
+TEST(ShippedBackAnalyses, EveryCombinationMakesAScene) {
+    const std::string cases = std::string(RUNOUT_SOURCE_DIR) + "/cases";
+    int count = 0;
+    for (const auto& folder : std::filesystem::directory_iterator(cases + "/hong-kong")) {
+        if (!folder.is_directory()) continue;
+        for (const PlannedRun& run : combinations(read_back_analysis(folder.path().string()))) {
+            CaseSpec spec = read_case((folder.path() / "case.toml").string());
+            for (const auto& [key, value] : run.set)
+                override_value(spec, key, key == "section.file" ? (folder.path() / value).string() : value,
+                               run.id);
+            EXPECT_NO_THROW(make_scene(spec)) << run.id;
+            ++count;
+        }
+    }
+    EXPECT_GT(count, 50);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "measures/measures.h"
 #include "scene/scene.h"
+#include "store/store.h"
 
 namespace runout {
 
@@ -44,7 +45,8 @@ inline RunResult example_result() {
                    .simulated_s = 4.7,
                    .wall_s = 2.3,
                    .cpu_s = 4.4,
-                   .threads = 2};
+                   .threads = 2,
+                   .peak_memory_mb = 37.25};
     result.series = {{0, 0.1, 0.2, 300.3, 0.4, 23750.6}, {0.1, 1.1, 12.7, 280.3, 7.4, 23750.6}};
     result.deposit = {{834510.25, 43.1, 0.3, 0.4}, {834512.75, 41.5, 1.3, 1.4}, {834515.1, 41.4, 0.9, 1.1}};
     result.phases = {{"pressure", 1.5}, {"friction", 0.6}};
@@ -56,6 +58,29 @@ inline RunResult example_result() {
         {{0.2, -7.5, 0.5, 0.25, 0.125, 0.1, 0.02, 3.5, 700.5}, {2, 60000}, {8, 9}, {25, 3}, {1, 200}}};
     result.stages = {{1.1, 2.2, 30.3, 4.4, 5.5}, {1.2, 2.3, 30.4, 4.5, 5.6}};
     return result;
+}
+
+/// Error bars from pilots, no number short in binary.
+inline Appraisal example_appraisal() {
+    return {.accuracy_asked = "5 %",
+            .run_out_error_m = 0.61,
+            .reach_angle_error_deg = 0.87,
+            .error_origin = "pilot",
+            .error_note = "2 pilot runs",
+            .expected_cpu_s = 4.1,
+            .choosing_cpu_s = 0.7};
+}
+
+inline PilotRow example_pilot() {
+    return {.resolution = 8,
+            .lattice_seed = 1,
+            .run_out_m = 12.3,
+            .reach_angle_deg = 39.1,
+            .deposit_height_m = 4.3,
+            .particles = 64,
+            .steps = 210,
+            .pressure_iterations = 1207,
+            .cpu_s = 0.031};
 }
 
 }  // namespace runout

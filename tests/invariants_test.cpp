@@ -95,8 +95,8 @@ TEST(Invariants, EnergyDoesNotRise) {
     state.step.work_done = 0.5 * g * height;
     state.observe();
     EXPECT_EQ(state.violation(), "");
-    for (double& y : state.soil.y) y += 0.03 * height;  // still below the start
-    state.step.work_done = 0.47 * g * height;
+    for (double& y : state.soil.y) y += 0.06 * height;  // still below the start
+    state.step.work_done = 0.44 * g * height;
     state.observe();
     EXPECT_TRUE(begins_with(state.violation(), "energy_rise")) << state.violation();
 }

@@ -1,5 +1,6 @@
 // The real program, as a shell sees it: exit codes, what goes to which stream, what is left on the disk.
 
+#include <SQLiteCpp/Database.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -53,6 +54,7 @@ class Child {
     }
 
     void interrupt() const { kill(pid_, SIGINT); }
+    void kill_at_once() const { kill(pid_, SIGKILL); }
 
     Outcome wait() {
         int status = 0;
@@ -188,7 +190,8 @@ TEST_F(ProgramTest, HelpKeysTellsEveryKeyWithRangeAndDefault) {
 
 TEST_F(ProgramTest, RefusesCommandLinesItDoesNotUnderstand) {
     expect_refused({}, {"subcommand"});
-    expect_refused({"rnu", "case.toml"}, {"rnu is not a subcommand", "run, profile, source, table, map"});
+    expect_refused({"rnu", "case.toml"},
+                   {"rnu is not a subcommand", "run, profile, source, sweep, merge, table, accuracy, map"});
     expect_refused({"run"}, {"FILE"});
     expect_refused({"run", "case.toml", "--angle", "3"}, {"--angle"});
     expect_refused({"run", "case.toml", "--friction-angle"}, {"--friction-angle"});
@@ -338,6 +341,57 @@ TEST_F(ProgramTest, ASecondCtrlCEndsAtOnce) {
     EXPECT_EQ(child.wait().exit_code, 130);
 }
 
+// --- accuracy
+
+TEST_F(ProgramTest, ChoosesASpacingThatMeetsTheAccuracyAndSaysWhy) {
+    const Outcome outcome = runout({"run", "case.toml", "--accuracy", "40%", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "is expected to meet 40 %")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "expected to take")) << outcome.err;
+    const Json run = Json::parse(outcome.out);
+    EXPECT_EQ(run["accuracy_asked"], "40 %");
+    EXPECT_EQ(run["error_origin"], "pilot");
+    EXPECT_GT(run["run_out_error_m"].get<double>(), 0);
+    EXPECT_GT(run["expected_cpu_s"].get<double>(), 0);
+    const Store store(work("runout.db").string(), Store::Mode::read);
+    double pilot_work = 0;
+    for (const PilotRow& pilot : store.pilots(1)) pilot_work += pilot.particles * pilot.steps;
+    EXPECT_GT(pilot_work, 0);
+    EXPECT_LT(pilot_work, 0.5 * run["particles"].get<double>() * run["steps"].get<double>());
+}
+
+TEST_F(ProgramTest, RefusesAnAccuracyThatCannotBeMet) {
+    expect_refused({"run", "case.toml", "--accuracy", "0.0001%"},
+                   {"--accuracy", "run.accuracy = 0.0001%", "cannot be met", "% (", "CPU time"});
+    expect_refused({"run", "case.toml", "--accuracy", "5"}, {"--accuracy", "has no unit", "5%"});
+    expect_refused({"run", "case.toml", "--accuracy", "5%", "--resolution", "8"}, {"excludes"});
+    expect_refused({"accuracy", "case.toml", "--target", "no"}, {"--target = no", "percentage or a length"});
+    expect_refused({"accuracy", "case.toml", "--resolution", "8"},
+                   {"--resolution", "does not apply to a ladder"});
+    expect_refused({"accuracy"}, {"FILE"});
+    expect_refused({"accuracy", "case.toml", "--chart", "no/such/folder/a.svg"},
+                   {"--chart", "no/such/folder"});
+}
+
+TEST_F(ProgramTest, ShowsWhatAccuracyCostsAndUsesItForTheNextRun) {
+    const Outcome ladder = runout({"accuracy", "case.toml", "--target", "30%", "--lattices", "2", "--budget",
+                                   "30", "--chart", "chart.svg"});
+    ASSERT_EQ(ladder.exit_code, 0) << ladder.err;
+    for (const char* part : {"sqrt(S)/dl", "The ladder ended because", "run-out, m: ",
+                             "What accuracy of the run-out costs on this scene", "The target, 30 %"})
+        EXPECT_TRUE(contains(ladder.out, part)) << part << " in\n" << ladder.out;
+    EXPECT_TRUE(contains(text_of(work("chart.svg")), "<svg"));
+    const Json run = Json::parse(runout({"run", "case.toml", "--json"}).out);
+    EXPECT_EQ(run["error_origin"], "ladder");
+    EXPECT_EQ(run["choosing_cpu_s"], 0.0);
+    EXPECT_GT(run["run_out_error_m"].get<double>(), 0);
+
+    ASSERT_EQ(runout({"accuracy", "--db", "runout.db", "--page", "page.md"}).exit_code, 0);
+    EXPECT_TRUE(contains(text_of(work("page.md")), "# What accuracy costs in time"));
+    EXPECT_TRUE(fs::exists(work("page/case.svg")) || fs::exists(work("page/work.svg")));
+    expect_refused({"accuracy", "--db", "none.db", "--page", "page.md"}, {"none.db"});
+}
+
 // --- source and table
 
 TEST_F(ProgramTest, PrintsTheSourceOnly) {
@@ -375,7 +429,7 @@ TEST_F(ProgramTest, RefusesTablesItCannotMake) {
     expect_refused({"table", "none.db"}, {"none.db"});
     expect_refused({"table", "section.csv"}, {"section.csv"});
     ASSERT_EQ(runout({"run", "case.toml"}).exit_code, 0);
-    expect_refused({"table", "runout.db", "--format", "xml"}, {"xml", "text, csv or json"});
+    expect_refused({"table", "runout.db", "--format", "xml"}, {"xml", "valid: text, csv, json"});
 }
 
 // --- bad input: every mistake of the issue
@@ -590,6 +644,115 @@ TEST_F(ProgramTest, BadMaps) {
                    {"section.where = id = 99", "holds for no feature"});
     expect_refused({"run", terrain, "--set", "section.layer=roads"},
                    {"section.layer = roads", "name one of sections"});
+}
+
+// --- sweeps
+
+constexpr const char* small_study =
+    "[study]\nname = \"small\"\ncase = \"case.toml\"\n[vary]\n"
+    "material.friction_angle_deg = [32, 34, 36, 38]\nsource.base_angle_deg = [30, 35, 70]\n";
+
+TEST_F(ProgramTest, ASweepGivesOneTableWhateverTheOrderAndTheNumberOfWorkers) {
+    write("study.toml", small_study);
+    const Outcome dry = runout({"sweep", "study.toml", "--dry-run"});
+    EXPECT_EQ(dry.exit_code, 0) << dry.err;
+    EXPECT_TRUE(contains(dry.out, "small: 12 scenarios")) << dry.out;
+    EXPECT_FALSE(fs::exists(work("sweep.db")));
+
+    const Outcome whole = runout({"sweep", "study.toml", "--db", "whole.db", "-j", "1", "--quiet"});
+    EXPECT_EQ(whole.exit_code, 1) << "a base steeper than the face is refused\n" << whole.err;
+    EXPECT_TRUE(contains(whole.out, "12 of 12 scenarios: 8 simulated, 0 known before, 4 refused"))
+        << whole.out;
+    const std::string table = runout({"table", "whole.db"}).out;
+    EXPECT_TRUE(contains(table, "4 of 12 scenarios gave no result")) << table;
+    EXPECT_TRUE(contains(table, "refused: ")) << table;
+
+    const Outcome again = runout({"sweep", "study.toml", "--db", "whole.db", "--quiet"});
+    EXPECT_TRUE(contains(again.out, "0 simulated, 8 known before")) << again.out;
+    (void)runout({"sweep", "study.toml", "--db", "two.db", "-j", "2", "--quiet"});
+    EXPECT_EQ(runout({"table", "two.db"}).out, table);
+
+    for (const char* shard : {"0", "1", "2"})
+        (void)runout({"sweep", "study.toml", "--shard", std::string(shard) + "/3", "--db",
+                      std::string("shard-") + shard + ".db", "-j", "1", "--quiet"});
+    const Outcome merged = runout({"merge", "all.db", "shard-2.db", "shard-0.db", "shard-1.db"});
+    EXPECT_EQ(merged.exit_code, 0) << merged.err;
+    EXPECT_EQ(runout({"table", "all.db"}).out, table);
+    EXPECT_TRUE(contains(runout({"merge", "all.db", "shard-1.db"}).out, "0 runs added"))
+        << "merging twice adds nothing";
+    EXPECT_EQ(runout({"table", "all.db"}).out, table);
+}
+
+TEST_F(ProgramTest, AChangedStudyRunsOnlyWhatIsNew) {
+    write("study.toml", "[study]\ncase = \"case.toml\"\n[vary]\nmaterial.friction_angle_deg = [34, 38]\n");
+    EXPECT_EQ(runout({"sweep", "study.toml", "--quiet"}).exit_code, 0);
+    write("study.toml",
+          "[study]\ncase = \"case.toml\"\n[vary]\nmaterial.friction_angle_deg = [38, 36, 34]\n");
+    EXPECT_TRUE(contains(runout({"sweep", "study.toml", "--quiet"}).out, "1 simulated, 2 known before"));
+    const Json table = Json::parse(runout({"table", "sweep.db", "--format", "json", "--rows",
+                                           "material.friction_angle_deg", "--columns", "section"})
+                                       .out);
+    ASSERT_EQ(table["cells"].size(), 3u);
+    EXPECT_GT(table["cells"][0]["run_out_m"].get<double>(), table["cells"][2]["run_out_m"].get<double>())
+        << "a weaker soil runs farther";
+}
+
+TEST_F(ProgramTest, AKilledSweepLosesNothingThatHadEnded) {
+    write("study.toml", small_study);
+    (void)runout({"sweep", "study.toml", "--db", "whole.db", "--quiet"});
+    const std::string table = runout({"table", "whole.db"}).out;
+    int kills = 0;
+    for (int k = 0; k < 50; ++k) {
+        Child child(folder_, {"sweep", "study.toml", "--db", "killed.db", "-j", "2", "--quiet"});
+        // Moments spread over the start, the runs and the writes; the same ones each time.
+        std::this_thread::sleep_for(std::chrono::milliseconds(5 + (k * 37) % 97));
+        child.kill_at_once();
+        kills += child.wait().exit_code == -1 ? 1 : 0;
+    }
+    EXPECT_GT(kills, 5) << "it must have been killed at work";
+    (void)runout({"sweep", "study.toml", "--db", "killed.db", "--quiet"});
+    EXPECT_EQ(runout({"table", "killed.db"}).out, table);
+}
+
+TEST_F(ProgramTest, RefusesBadSweepsAndMerges) {
+    write("study.toml", small_study);
+    write("empty.toml", "");
+    write("huge.toml",
+          "[study]\ncase = \"case.toml\"\n[vary]\nmaterial.friction_angle_deg = { from = 20, to = 40, step = "
+          "0.02 }\n"
+          "material.density_kg_m3 = { from = 1500, to = 2000, step = 1 }\n");
+    expect_refused({"sweep", "empty.toml"}, {"empty.toml", "names nothing to vary"});
+    expect_refused({"sweep", "none.toml"}, {"none.toml", "is not a file"});
+    expect_refused({"sweep", "huge.toml"}, {"huge.toml", "combinations", "--yes"});
+    expect_refused({"sweep", "study.toml", "--shard", "3/3"}, {"--shard = 3/3", "out of range", "0 to 2"});
+    expect_refused({"sweep", "study.toml", "--shard", "x"}, {"--shard = x", "0/8"});
+    expect_refused({"merge", "all.db", "none.db"}, {"none.db", "no such file"});
+    ASSERT_EQ(runout({"run", "case.toml", "--db", "one.db", "--quiet"}).exit_code, 0);
+    EXPECT_EQ(runout({"merge", "one.db", "one.db"}).exit_code, 2);
+    EXPECT_TRUE(contains(runout({"table", "one.db", "--study", "none"}).err, "holds no study"));
+}
+
+TEST_F(ProgramTest, ResultsThatDifferAreNotMerged) {
+    for (const char* name : {"one.db", "other.db"})
+        ASSERT_EQ(runout({"run", "case.toml", "--db", name, "--quiet"}).exit_code, 0);
+    {
+        SQLite::Database other(work("other.db").string(), SQLite::OPEN_READWRITE);
+        other.exec("UPDATE measure SET run_out_m = run_out_m + 1");
+    }
+    const Outcome outcome = runout({"merge", "one.db", "other.db"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(contains(outcome.err, "other.db") && contains(outcome.err, "has another result"))
+        << outcome.err;
+    EXPECT_EQ(Store(work("one.db").string(), Store::Mode::read).runs().size(), 1u);
+}
+
+TEST_F(ProgramTest, AJobArrayForSlurmIsAScript) {
+    write("it's a study.toml", small_study);
+    const Outcome script = runout({"sweep", "it's a study.toml", "--slurm", "--shard", "0/4"});
+    EXPECT_EQ(script.exit_code, 0) << script.err;
+    for (const char* part :
+         {"#!/bin/bash", "#SBATCH --array=0-3", "'it'\\''s a study.toml'", "$SLURM_ARRAY_TASK_ID"})
+        EXPECT_TRUE(contains(script.out, part)) << part << " in\n" << script.out;
 }
 
 }  // namespace

@@ -60,9 +60,16 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 std::vector<std::string> fields_of(const std::string& line) {
-    std::istringstream stream(line + ",");
-    std::vector<std::string> fields;
-    for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
+    std::vector<std::string> fields(1);
+    bool quoted = false;
+    for (const char letter : line) {
+        if (letter == '"')
+            quoted = !quoted;
+        else if (letter == ',' && !quoted)
+            fields.emplace_back();
+        else
+            fields.back() += letter;
+    }
     return fields;
 }
 
@@ -256,6 +263,34 @@ TEST(RunSummary, SaysHowFarHowThickHowFast) {
     EXPECT_FALSE(has(text, "Coarse")) << text;
     EXPECT_FALSE(has(text, "stray")) << text;
     EXPECT_FALSE(has(text, "nan")) << text;
+}
+
+TEST(RunSummary, SaysHowSureTheNumbersAreAndHowMuchNatureScatters) {
+    StoredRun run = slope_run();
+    run.appraisal = example_appraisal();
+    const std::string text = run_summary(run);
+    for (const char* part : {"+-0.61 m (4.9 %) of the run-out", "+-0.9 deg of the reach angle", "95 %",
+                             "pilot", "Empirical relations", "4.1 s expected"})
+        EXPECT_TRUE(has(text, part)) << part << " in\n" << text;
+    EXPECT_TRUE(has(run_summary(slope_run()), "Numerical error not known"));
+    EXPECT_FALSE(has(run_summary(slope_run()), "expected"));
+}
+
+TEST(RunTable, ShowsErrorBarsAndWhereTheyCameFrom) {
+    StoredRun run = slope_run();
+    run.appraisal = example_appraisal();
+    const auto lines = lines_of(run_table({run, slope_run()}, TableFormat::text));
+    EXPECT_TRUE(has(lines[0], "+-") && has(lines[0], "error from"));
+    EXPECT_TRUE(has(lines[2], "0.61") && has(lines[2], "0.9") && has(lines[2], "pilot"));
+    EXPECT_TRUE(has(lines[3], "none"));
+    const Json json = Json::parse(run_json(run));
+    EXPECT_EQ(json.at("run_out_error_m"), 0.61);
+    EXPECT_EQ(json.at("reach_angle_error_deg"), 0.87);
+    EXPECT_EQ(json.at("error_origin"), "pilot");
+    EXPECT_EQ(json.at("expected_cpu_s"), 4.1);
+    EXPECT_TRUE(Json::parse(run_json(slope_run())).at("run_out_error_m").is_null());
+    run.status = RunStatus::diverged;
+    EXPECT_TRUE(Json::parse(run_json(run)).at("run_out_error_m").is_null()) << "an error bar of nothing";
 }
 
 TEST(RunSummary, CountsStrayParticles) {

@@ -142,7 +142,7 @@ std::string everything(const CaseSpec& c) {
         fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", density, friction_angle, r.particle_spacing,
                     r.resolution, r.gravity, r.courant, r.smoothing_ratio, static_cast<int>(r.friction),
                     r.friction_iterations, r.pressure_tolerance, r.time_limit, r.front_thickness, r.threads);
-    text += fmt::format("|{}|{}", r.lattice_seed, fmt::join(r.snapshot_times, " "));
+    text += fmt::format("|{}|{}|{}", r.lattice_seed, fmt::join(r.snapshot_times, " "), c.accuracy);
     const Effects& e = c.effects;
     if (e.base_friction) text += fmt::format("|base {}", e.base_friction->angle);
     if (e.release)
@@ -167,7 +167,6 @@ TEST(Parameters, NumericDefaultsSayWhatHolds) {
     const CaseSpec spec;
     const auto said = [](const char* key) { return std::stod(std::string(find_parameter(key)->fallback)); };
     EXPECT_EQ(said("material.density_kg_m3"), spec.material.density);
-    EXPECT_EQ(said("run.resolution"), spec.run.resolution);
     EXPECT_EQ(said("run.gravity_m_s2"), spec.run.gravity);
     EXPECT_EQ(said("run.courant"), spec.run.courant);
     EXPECT_EQ(said("run.smoothing_ratio"), spec.run.smoothing_ratio);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <fstream>
 #include <set>
@@ -215,7 +216,7 @@ TEST_F(ForeignFile, NewerVersion) {
     add(example_scene(), example_result());
     raw().exec("PRAGMA user_version = 99");
     expect_refused(
-        "is of database version 99, written by a newer Runout; this Runout knows versions up to 4");
+        "is of database version 99, written by a newer Runout; this Runout knows versions up to 6");
 }
 
 TEST_F(ForeignFile, ImpossibleVersion) {
@@ -369,8 +370,22 @@ std::set<std::string> format_of(SQLite::Database& database) {
     return format;
 }
 
-/// What a program of version 1 would have written: the format as it is now without what later versions added.
+/// The format as it is now without what versions 4 and 5 added.
+void take_back_to_version_three(SQLite::Database& database) {
+    database.exec(
+        "DROP TABLE study_scenario; DROP TABLE study; DROP VIEW result; DROP VIEW ladder_rung; DROP TABLE "
+        "pilot; DROP TABLE ladder_run;"
+        " DROP TABLE ladder_verdict; DROP TABLE ladder; PRAGMA user_version = 3");
+    for (const char* column :
+         {"peak_memory_mb", "machine", "accuracy_asked", "run_out_error_m", "reach_angle_error_deg",
+          "error_origin", "error_note", "expected_cpu_s", "choosing_cpu_s"})
+        database.exec(std::string("ALTER TABLE run DROP COLUMN ") + column);
+    database.exec("CREATE VIEW result AS SELECT run.name FROM run");
+}
+
+/// What a program of version 1 would have written.
 void take_back_to_version_one(SQLite::Database& database) {
+    take_back_to_version_three(database);
     database.exec(
         "ALTER TABLE run DROP COLUMN line_id; DROP TABLE map_line_point; DROP TABLE map_line_attribute;"
         "DROP TABLE map_line; DROP TABLE snapshot; DROP TABLE stage; DROP TABLE frame; DROP TABLE invariant; "
@@ -396,7 +411,10 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     Store store(path, Store::Mode::write);
     SQLite::Database file = raw();
     EXPECT_EQ(format_of(file), wanted);
-    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 4);
+    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 6);
+    EXPECT_EQ(store.run(id).appraisal.error_origin, "none");
+    EXPECT_TRUE(std::isnan(store.run(id).appraisal.run_out_error_m));
+    EXPECT_TRUE(store.ladders().empty());
     EXPECT_EQ(store.run(id).name, example_scene().name);
     EXPECT_EQ(store.run(id).measures.run_out_m, result.measures.run_out_m);
     EXPECT_EQ(store.series(id).size(), result.series.size());
@@ -407,7 +425,9 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     EXPECT_EQ(count("scenario WHERE lattice_seed = 0 AND snapshot_times_s = '[]'"
                     " AND base_friction_angle_deg IS NULL AND release_layers IS NULL"),
               1);
-    const long second = store.add(example_scene(), result);
+    const long second = store.add(example_scene(), result, example_appraisal(), {example_pilot()});
+    EXPECT_EQ(store.run(second).appraisal.run_out_error_m, example_appraisal().run_out_error_m);
+    EXPECT_EQ(store.pilots(second).size(), 1u);
     EXPECT_EQ(store.snapshots(second).size(), result.snapshots.size());
     EXPECT_EQ(store.stages(second).size(), result.stages.size());
 }

@@ -232,21 +232,25 @@ TEST_F(StoreTest, ColumnsAreTheMembersOfTheResultStructs) {
     EXPECT_EQ(columns_of(database, "snapshot"),
               names_of({"run_id", "row_index", "time_s"}, snapshot_columns()));
 
-    auto run = columns_of(database, "run");
+    const auto run = columns_of(database, "run");
     const auto work = names_of({}, work_columns());
-    EXPECT_EQ(run.back(), "line_id") << "added by version 3";
-    run.pop_back();
-    ASSERT_GE(run.size(), work.size());
-    EXPECT_EQ(std::vector<std::string>(run.end() - static_cast<std::ptrdiff_t>(work.size()), run.end()),
-              work);
+    std::vector<std::string> counts = run;
+    std::erase_if(counts,
+                  [&](const std::string& name) { return std::ranges::find(work, name) == work.end(); });
+    EXPECT_EQ(counts, work) << "in their order";
+    for (const auto& column : appraisal_numbers())
+        EXPECT_EQ(std::ranges::count(run, std::string(column.name)), 1) << column.name;
+    for (const auto& column : appraisal_texts())
+        EXPECT_EQ(std::ranges::count(run, std::string(column.name)), 1) << column.name;
+    EXPECT_EQ(columns_of(database, "pilot"), names_of({"run_id", "row_index"}, pilot_columns()));
 }
 
 TEST(Columns, NameEveryMemberOnce) {
     EXPECT_EQ(measure_fields().size() * sizeof(double), sizeof(Measures));
     // Fails to compile when a member is added: then it needs a column too.
     const auto& [particles, boundary, spacing, steps, iterations, guard, density, simulated, wall, cpu,
-                 threads] = RunWork{};
-    EXPECT_EQ(work_columns().size(), 11U);
+                 threads, memory] = RunWork{};
+    EXPECT_EQ(work_columns().size(), 12U);
     EXPECT_EQ(threads, 1);
 
     RunWork work;
@@ -255,6 +259,70 @@ TEST(Columns, NameEveryMemberOnce) {
     for (const WorkColumn& column : work_columns())
         std::visit([&](auto member) { EXPECT_EQ(work.*member - RunWork{}.*member, 1) << column.name; },
                    column.member);
+}
+
+TEST_F(StoreTest, KeepsTheErrorBarOfARunAndItsPilots) {
+    Store store(path, Store::Mode::write);
+    const Appraisal given = example_appraisal();
+    const long run_id =
+        store.add(example_scene(), example_result(), given, {example_pilot(), example_pilot()});
+    const long bare = store.add(example_scene(), example_result());
+    const StoredRun run = store.run(run_id);
+    for (const auto& column : appraisal_numbers())
+        EXPECT_EQ(run.appraisal.*column.value, given.*column.value) << column.name;
+    for (const auto& column : appraisal_texts())
+        EXPECT_EQ(run.appraisal.*column.value, given.*column.value) << column.name;
+    EXPECT_FALSE(run.machine.empty());
+    const std::vector<PilotRow> pilots = store.pilots(run_id);
+    ASSERT_EQ(pilots.size(), 2U);
+    for (const auto& column : pilot_columns())
+        EXPECT_EQ(pilots[1].*column.value, example_pilot().*column.value) << column.name;
+    EXPECT_EQ(store.run(bare).appraisal.error_origin, "none");
+    EXPECT_TRUE(std::isnan(store.run(bare).appraisal.run_out_error_m));
+    EXPECT_TRUE(store.pilots(bare).empty());
+}
+
+TEST_F(StoreTest, KnowsWhereAnErrorBarCanComeFrom) {
+    Appraisal guess = example_appraisal();
+    guess.error_origin = "guess";
+    Store store(path, Store::Mode::write);
+    EXPECT_ANY_THROW(store.add(example_scene(), example_result(), guess));
+    EXPECT_TRUE(store.runs().empty());
+}
+
+TEST_F(StoreTest, KeepsStudiesAndGivesTheLatestOfAQuestion) {
+    Store store(path, Store::Mode::write);
+    const long run_id = add(example_scene(), example_result());
+    StoredLadder ladder;
+    ladder.question_hash = "q";
+    ladder.name = "cut";
+    ladder.target = "5 %";
+    ladder.runs = {{"spacing", "8", 8, run_id}, {"run.courant", "0.2", 8, run_id}};
+    ladder.verdicts = {
+        {"run_out_m", "converged", 1.5, 0.1, 0.02, std::nan(""), 1.6, std::nan(""), 1.1, 1.55}};
+    const long first = store.add(ladder);
+    ladder.name = "cut again";
+    const long second = store.add(ladder);
+    ladder.question_hash = "other";
+    store.add(ladder);
+    EXPECT_EQ(store.ladders().size(), 3U);
+    EXPECT_FALSE(store.find_ladder("none"));
+    const StoredLadder found = store.find_ladder("q").value();
+    EXPECT_NE(first, second);
+    EXPECT_EQ(found.ladder_id, second);
+    EXPECT_EQ(found.name, "cut again");
+    EXPECT_FALSE(found.ended_utc.empty());
+    ASSERT_EQ(found.runs.size(), 2U);
+    EXPECT_EQ(found.runs[1].series, "run.courant");
+    EXPECT_EQ(found.runs[1].setting, "0.2");
+    EXPECT_EQ(found.runs[1].run_id, run_id);
+    ASSERT_EQ(found.verdicts.size(), 1U);
+    EXPECT_EQ(found.verdicts[0].fitted_value, 1.55);
+    EXPECT_TRUE(std::isnan(found.verdicts[0].observed_order));
+    EXPECT_EQ(raw()
+                  .execAndGet("SELECT lattices FROM ladder_rung WHERE ladder_id = 1 AND series = 'spacing'")
+                  .getInt(),
+              1);
 }
 
 TEST_F(StoreTest, KeepsSnapshotsToTheBitAndStages) {
@@ -431,7 +499,7 @@ TEST_F(StoreTest, WritesEffectsAndLeavesAbsentOnesNull) {
     EXPECT_EQ(rows.getColumn(1).getString(), "[]");
     for (int effect = 2; effect < 6; ++effect) EXPECT_TRUE(rows.getColumn(effect).isNull()) << effect;
     ASSERT_TRUE(rows.executeStep());
-    EXPECT_EQ(rows.getColumn(0).getInt(), 4);
+    EXPECT_EQ(rows.getColumn(0).getInt(), 3);
     EXPECT_EQ(rows.getColumn(1).getString(), "[0.1, 0.25]");
     EXPECT_EQ(rows.getColumn(2).getDouble(), degrees(0.5));
     EXPECT_EQ(rows.getColumn(3).getInt(), 7);
@@ -468,7 +536,7 @@ TEST_F(StoreTest, MarksTheFileAsItsOwn) {
     add(example_scene(), example_result());
     SQLite::Database database = raw();
     EXPECT_EQ(database.execAndGet("PRAGMA application_id").getInt(), 0x52554E4F);  // RUNO
-    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 4);
+    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 6);
     EXPECT_EQ(database.execAndGet("PRAGMA journal_mode").getString(), "delete");
     EXPECT_EQ(database.execAndGet("PRAGMA integrity_check").getString(), "ok");
     EXPECT_EQ(count("pragma_foreign_key_check"), 0);
@@ -519,6 +587,49 @@ TEST_F(StoreTest, WhatDiffersGetsItsOwnRow) {
     EXPECT_EQ(count("section"), 2);
     EXPECT_EQ(count("source"), 3);
     EXPECT_EQ(count("scenario"), 4);
+}
+
+// ---- studies
+
+TEST_F(StoreTest, AStudyListsItsScenariosWithTheLatestRunOfEach) {
+    const Scene scene = example_scene();
+    Store store(path, Store::Mode::write);
+    const long study = store.begin_study("cuts", "[vary]");
+    store.set_study_scenarios(study, {{2, "", "{\"a\": 3}", "too steep"},
+                                      {0, scenario_hash(scene), "{\"a\": 1}", ""},
+                                      {1, "not run yet", "{\"a\": 2}", ""}});
+    store.add(scene, example_result());
+    const long latest = store.add(scene, example_result());
+    RunResult interrupted = example_result();
+    interrupted.status = RunStatus::interrupted;
+    store.add(scene, interrupted);
+    const std::vector<StudyRow> rows = store.study_rows(study);
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(rows[0].run_id, latest);
+    EXPECT_TRUE(rows[0].is_result);
+    EXPECT_EQ(rows[0].run_out_m, example_result().measures.run_out_m);
+    EXPECT_FALSE(rows[1].run_id);
+    EXPECT_TRUE(std::isnan(rows[1].run_out_m));
+    EXPECT_EQ(rows[2].scenario.refusal, "too steep");
+    EXPECT_EQ(store.begin_study("cuts", "[vary]"), study);
+    EXPECT_EQ(store.studies().at(0).scenarios, 3);
+    EXPECT_EQ(store.begin_study("cuts", "[vary]\nanother = 1"), study);
+    EXPECT_TRUE(store.study_rows(study).empty()) << "what was said of a study that has changed is forgotten";
+    EXPECT_EQ(store.runs().size(), 3u);
+}
+
+// A million runs must not be looked through for one study.
+TEST_F(StoreTest, TheTableOfAStudyScansNothing) {
+    add(example_scene(), example_result());
+    SQLite::Database database = raw();
+    SQLite::Statement plan(database, "EXPLAIN QUERY PLAN " + study_rows_sql());
+    int searches = 0;
+    while (plan.executeStep()) {
+        const std::string step = plan.getColumn(3).getString();
+        EXPECT_FALSE(step.starts_with("SCAN ")) << step;
+        searches += step.starts_with("SEARCH ") ? 1 : 0;
+    }
+    EXPECT_GE(searches, 7);
 }
 
 }  // namespace

@@ -12,29 +12,11 @@
 #include "store/store.h"
 #include "store_fixture.h"
 #include "stress/hillside.h"
-#include "stress/latin_hypercube.h"
 #include "stress/run_stress.h"
 #include "stress/stress_scene.h"
 
 namespace runout {
 namespace {
-
-TEST(LatinHypercube, HasOnePointInEverySliceOfEveryAxis) {
-    constexpr int count = 50;
-    const auto points = latin_hypercube(count, 3, 7);
-    for (int d = 0; d < 3; ++d) {
-        std::set<int> slices;
-        for (const auto& point : points) slices.insert(static_cast<int>(point[d] * count));
-        EXPECT_EQ(slices.size(), static_cast<std::size_t>(count)) << "axis " << d;
-        EXPECT_EQ(*slices.begin(), 0);
-        EXPECT_EQ(*slices.rbegin(), count - 1);
-    }
-}
-
-TEST(LatinHypercube, IsTheSameForTheSameSeedOnly) {
-    EXPECT_EQ(latin_hypercube(20, 4, 1), latin_hypercube(20, 4, 1));
-    EXPECT_NE(latin_hypercube(20, 4, 1), latin_hypercube(20, 4, 2));
-}
 
 TEST(HillsideTest, EveryShapeIsAValidSectionWithItsToeAtTheOrigin) {
     for (int shape = 0; shape < static_cast<int>(HillsideShape::count); ++shape) {

@@ -62,6 +62,17 @@ Range range(double low, double high) {
 using Numbers = std::vector<double>;
 using Texts = std::vector<std::string>;
 
+TEST(SvgChart, BothAxesMayBeLogarithmic) {
+    Figure figure = figure_of({{.label = "a", .points = {{0.01, 100}, {0.1, 10}, {1, 1}, {10, 0}}}});
+    figure.logarithmic_x = true;
+    figure.logarithmic_y = true;
+    const auto points = points_of(curve_paths(svg_chart(figure)).at(0));
+    ASSERT_EQ(points.size(), 3u) << "zero has no logarithm";
+    EXPECT_NEAR(points[1].x() - points[0].x(), points[2].x() - points[1].x(), 0.2);
+    EXPECT_NEAR(points[1].y() - points[0].y(), points[2].y() - points[1].y(), 0.2);
+    EXPECT_GT(points[1].y(), points[0].y()) << "less is lower";
+}
+
 // ---- Axes
 
 TEST(Axis, TicksAreOneTwoFiveAroundTheData) {

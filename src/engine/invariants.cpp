@@ -19,7 +19,7 @@ constexpr std::array<Rule, static_cast<int>(Invariant::count)> rules = {{
     {"particles", 0.0, "particles lost or doubled"},
     {"penetration", 0.5, "depth of a particle in the bed, in spacings"},
     {"speed", 4.0, "greatest speed / sqrt(2 g H)"},
-    {"energy_rise", 0.02, "rise of the mechanical energy / (M g H)"},
+    {"energy_rise", 0.05, "rise of the mechanical energy / (M g H)"},
     {"energy_balance", 1e-6, "energy lost that no work accounts for / (M g H)"},
     {"density", 0.5, "excess of the densest particle over rho_0"},
     {"volume", 0.02, "area lost to excess of density / area"},

@@ -104,6 +104,7 @@ struct RunWork {
     double wall_s = 0;
     double cpu_s = 0;
     int threads = 1;
+    double peak_memory_mb = 0;  ///< resident memory of the program at its greatest, MB; 0: not known
 };
 
 /// Seconds spent in one phase of the step.

@@ -11,6 +11,7 @@
 #include "engine/simulation.h"
 #include "measures/deposit.h"
 #include "measures/frames.h"
+#include "measures/peak_memory.h"
 #include "measures/series.h"
 #include "measures/snapshots.h"
 
@@ -132,6 +133,7 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
     const auto start = Clock::now();
     const double thread_start = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
     const double program_start = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
+    const PeakMemory memory;
     Simulation simulation(scene);
     SeriesRecorder series(simulation.time_scale() / samples_per_time_scale);
     series.sample(simulation, true);
@@ -179,6 +181,7 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
         result.invariants.push_back(
             {to_string(static_cast<Invariant>(k)), reading.worst, reading.limit, reading.time, reading.x});
     }
+    result.work.peak_memory_mb = memory.megabytes();
     result.work.wall_s = seconds_since(start);
     // A run of one thread may have others beside it in the same program.
     result.work.cpu_s = simulation.threads() == 1 ? cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - thread_start

@@ -17,7 +17,7 @@ struct ShortOption {
     const char* key;
 };
 
-constexpr std::array<ShortOption, 24> short_options = {{
+constexpr std::array<ShortOption, 25> short_options = {{
     {"--source", "source.type"},
     {"--base-angle", "source.base_angle_deg"},
     {"--scarp-angle", "source.scarp_angle_deg"},
@@ -36,6 +36,7 @@ constexpr std::array<ShortOption, 24> short_options = {{
     {"--toe-chainage", "section.toe_chainage_m"},
     {"--crest-chainage", "section.crest_chainage_m"},
     {"--name", "run.name"},
+    {"--accuracy", "run.accuracy"},
     {"--spacing", "run.particle_spacing_m"},
     {"--resolution", "run.resolution"},
     {"--courant", "run.courant"},

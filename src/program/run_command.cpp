@@ -1,15 +1,19 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <cmath>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "accuracy/plan.h"
 #include "measures/run.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
 #include "program/interrupt.h"
 #include "program/progress_line.h"
+#include "report/ladder_text.h"
 #include "report/table.h"
 #include "report/time_table.h"
 #include "scene/scene.h"
@@ -25,10 +29,11 @@ struct RunArguments {
     bool store = true;
     bool json = false;
     bool quiet = false;
+    bool pilots = true;
+    double budget_s = 3600;
 };
 
-RunResult simulate(const Scene& scene, const RunArguments& arguments) {
-    InterruptWatch interrupt;
+RunResult simulate(const Scene& scene, const RunArguments& arguments, const InterruptWatch& interrupt) {
     ProgressLine line(arguments.quiet ? ProgressLine::Style::none : ProgressLine::style_of_stderr());
     RunControl control;
     control.on_progress = [&line](const Progress& progress) { line.show(progress); };
@@ -55,23 +60,62 @@ void log_ending(const RunResult& result) {
                  result.status_detail.empty() ? "" : ": ", result.status_detail);
 }
 
-/// Every section of the case; a mistake in one is found before any has run.
-std::vector<Scene> scenes_of(const CaseArguments& arguments) {
-    std::vector<Scene> scenes;
-    for (const CaseSpec& spec : section_cases(case_from(arguments))) scenes.push_back(make_scene(spec));
-    return scenes;
+/// A section that is to be run, as its case asks for it.
+struct Section {
+    CaseSpec spec;
+    Scene scene;
+};
+
+bool says_how_fine(const CaseSpec& spec) {
+    return spec.has("run.resolution") || spec.has("run.particle_spacing_m");
 }
 
-/// Simulates, stores and prints one section, and returns its exit code.
-int run_section(const Scene& scene, const RunArguments& arguments, std::optional<Store>& store) {
-    log_assumptions(scene.assumed);
-    const RunResult result = simulate(scene, arguments);
+/// What is to be run: the spacing that the case gives, or one that meets its accuracy.
+RunPlan plan_of(const Section& section, const std::optional<Store>& store, const RunArguments& arguments,
+                const InterruptWatch& interrupt) {
+    const auto& [spec, scene] = section;
+    PlanOptions options;
+    if (!says_how_fine(spec)) options.target = accuracy_target(spec.accuracy, spec.place("run.accuracy"));
+    if (spec.has("run.accuracy")) options.asked = spec.place("run.accuracy");
+    if (store) {
+        options.costs = costs_on_this_machine(*store);
+        if (const auto ladder = store->find_ladder(question_hash(scene)))
+            options.ladder = read_ladder(*ladder, *store);
+    }
+    options.longest_run_s = arguments.budget_s;
+    options.pilots = arguments.pilots;
+    options.interrupt = &interrupt.requested();
+    return plan_run(scene, options);
+}
+
+void log_plan(const RunPlan& plan) {
+    if (!plan.reason.empty()) spdlog::info("{}", plan.reason);
+    if (std::isfinite(plan.appraisal.expected_cpu_s))
+        spdlog::info("expected to take {} of CPU time", short_duration(plan.appraisal.expected_cpu_s));
+}
+
+/// Every section of the case; a mistake in one is found before any has run.
+std::vector<Section> sections_of(const CaseArguments& arguments) {
+    std::vector<Section> sections;
+    for (const CaseSpec& spec : section_cases(case_from(arguments)))
+        sections.push_back({spec, make_scene(spec)});
+    return sections;
+}
+
+/// Chooses, simulates, stores and prints one section, and returns its exit code.
+int run_section(const Section& section, const RunArguments& arguments, std::optional<Store>& store,
+                const InterruptWatch& interrupt) {
+    log_assumptions(section.scene.assumed);
+    const RunPlan plan = plan_of(section, store, arguments, interrupt);
+    log_plan(plan);
+    const Scene& scene = plan.scene;
+    const RunResult result = simulate(scene, arguments, interrupt);
     log_ending(result);
 
-    StoredRun run = describe_run(scene, result);
+    StoredRun run = describe_run(scene, result, plan.appraisal);
     std::exception_ptr failure;
     try {
-        if (store) run = store->run(store->add(scene, result));
+        if (store) run = store->run(store->add(scene, result, plan.appraisal, plan.pilots));
     } catch (...) {
         failure = std::current_exception();  // a full disk must not cost the answer: print it first
     }
@@ -82,24 +126,40 @@ int run_section(const Scene& scene, const RunArguments& arguments, std::optional
     return exit_code_of(result);
 }
 
-int run(const RunArguments& arguments) {
-    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
-    const std::vector<Scene> scenes = scenes_of(arguments.scenario);
-
-    // A database that cannot take the runs is found out now and not after an hour of work.
-    std::optional<Store> store;
-    if (arguments.store) store.emplace(arguments.database, Store::Mode::write);
-
-    if (scenes.size() == 1) return run_section(scenes.front(), arguments, store);
+/// All of them, one after the other.
+int run_sections(const std::vector<Section>& sections, const RunArguments& arguments,
+                 std::optional<Store>& store, const InterruptWatch& interrupt) {
+    if (sections.size() == 1) return run_section(sections.front(), arguments, store, interrupt);
     int failed = 0;
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-        spdlog::info("section {} of {}: {}", i + 1, scenes.size(), scenes[i].name);
-        const int code = run_section(scenes[i], arguments, store);
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        spdlog::info("section {} of {}: {}", i + 1, sections.size(), sections[i].scene.name);
+        const int code = run_section(sections[i], arguments, store, interrupt);
         if (code == exit_code::interrupted) return code;
         if (code != exit_code::success) ++failed;
     }
-    if (failed > 0) spdlog::warn("{} of {} sections gave no result", failed, scenes.size());
+    if (failed > 0) spdlog::warn("{} of {} sections gave no result", failed, sections.size());
     return failed > 0 ? exit_code::not_a_result : exit_code::success;
+}
+
+int run(const RunArguments& arguments) {
+    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
+    const std::vector<Section> sections = sections_of(arguments.scenario);
+
+    // A database that cannot take the runs is found out now and not after an hour of work.
+    std::optional<Store> store;
+    std::error_code ignored;
+    const bool existed = std::filesystem::exists(arguments.database, ignored);
+    if (arguments.store) store.emplace(arguments.database, Store::Mode::write);
+
+    const InterruptWatch interrupt;
+    try {
+        return run_sections(sections, arguments, store, interrupt);
+    } catch (const InputError&) {  // a target that cannot be met leaves nothing behind
+        const bool empty = store && store->runs().empty();
+        store.reset();
+        if (empty && !existed) std::filesystem::remove(arguments.database, ignored);
+        throw;
+    }
 }
 
 }  // namespace
@@ -115,6 +175,16 @@ void add_run_command(CLI::App& app, Command& command) {
     sub->add_flag_callback(
            "--no-store", [arguments] { arguments->store = false; }, "Leave no trace but the answer")
         ->group("Output");
+    sub->add_flag_callback(
+           "--no-pilots", [arguments] { arguments->pilots = false; },
+           "No coarse runs beside a spacing that is given: no error bar and no expected time unless there is "
+           "a ladder")
+        ->group("Accuracy");
+    sub->add_option("--budget", arguments->budget_s, "CPU time that a run may take whose spacing is chosen")
+        ->type_name("s")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str()
+        ->group("Accuracy");
     sub->add_option("--frames", arguments->frames,
                     "Most pictures of the particles to store for the animation of the report; 0 for none")
         ->type_name("number")

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 
 #include "core/input_error.h"
 #include "program/command.h"
+#include "report/run_out_table.h"
 #include "report/table.h"
 #include "store/store.h"
 
@@ -12,33 +15,87 @@ namespace {
 
 struct TableArguments {
     std::string database;
+    std::string study;
     std::string format = "text";
+    bool list = false;
+    RunOutTableOptions layout;
 };
 
-TableFormat table_format(const std::string& name) {
-    if (name == "text") return TableFormat::text;
-    if (name == "csv") return TableFormat::csv;
-    if (name == "json") return TableFormat::json;
+template <class Format, std::size_t count>
+Format format_of(const std::string& name, const std::array<std::pair<const char*, Format>, count>& known) {
+    std::string valid;
+    for (const auto& [word, format] : known) {
+        if (name == word) return format;
+        valid += fmt::format("{}{}", valid.empty() ? "" : ", ", word);
+    }
     throw InputError({.file = {}, .line = 0, .key = "--format", .value = name}, "is not known",
-                     "valid: text, csv or json");
+                     "valid: " + valid);
 }
 
-int show_table(const TableArguments& arguments) {
-    const TableFormat format = table_format(arguments.format);
+constexpr std::array list_formats = {std::pair{"text", TableFormat::text}, std::pair{"csv", TableFormat::csv},
+                                     std::pair{"json", TableFormat::json}};
+constexpr std::array study_formats = {
+    std::pair{"text", RunOutTableFormat::text}, std::pair{"csv", RunOutTableFormat::csv},
+    std::pair{"json", RunOutTableFormat::json}, std::pair{"markdown", RunOutTableFormat::markdown}};
+
+StoredStudy study_named(const std::vector<StoredStudy>& studies, const TableArguments& arguments) {
+    std::string names;
+    for (const StoredStudy& study : studies) {
+        if (study.name == arguments.study) return study;
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", study.name);
+    }
+    throw InputError({.file = arguments.database, .line = 0, .key = "--study", .value = arguments.study},
+                     "is not in this database", names.empty() ? "it holds no study" : "valid: " + names);
+}
+
+int show_study(const TableArguments& arguments) {
+    const RunOutTableFormat format = format_of(arguments.format, study_formats);
+    const Store store(arguments.database, Store::Mode::read);
+    const StoredStudy study = study_named(store.studies(), arguments);
+    fmt::print("{}", run_out_table(study.name, store.study_rows(study.study_id), arguments.layout, format));
+    return exit_code::success;
+}
+
+int show_runs(const TableArguments& arguments) {
+    const TableFormat format = format_of(arguments.format, list_formats);
     const std::string table = run_table(Store(arguments.database, Store::Mode::read).runs(), format);
     fmt::print("{}{}", table, table.ends_with('\n') ? "" : "\n");
     return exit_code::success;
+}
+
+/// A database that holds one study and nothing else is about that.
+int show_table(TableArguments arguments) {
+    if (arguments.study.empty() && !arguments.list) {
+        const std::vector<StoredStudy> studies = Store(arguments.database, Store::Mode::read).studies();
+        if (studies.size() == 1) arguments.study = studies.front().name;
+    }
+    return arguments.study.empty() ? show_runs(arguments) : show_study(arguments);
 }
 
 }  // namespace
 
 void add_table_command(CLI::App& app, Command& command) {
     const auto arguments = std::make_shared<TableArguments>();
-    CLI::App* sub = app.add_subcommand("table", "List the runs of a database");
+    CLI::App* sub =
+        app.add_subcommand("table", "The run-out table of a study, or a list of the runs of a database");
     sub->add_option("DB", arguments->database, "Database of runs, such as runout.db")
         ->required()
         ->type_name("");
-    sub->add_option("--format", arguments->format, "text, csv or json")
+    sub->add_option("--study", arguments->study,
+                    "Which study; by default the only one, else every run is listed")
+        ->type_name("name");
+    sub->add_flag("--list", arguments->list, "List every run, study or not");
+    sub->add_option("--rows", arguments->layout.rows,
+                    "What the rows of the table are: section, slope_angle_deg or a varied key")
+        ->type_name("word");
+    sub->add_option("--columns", arguments->layout.columns,
+                    "What its columns are: drop_height_m, source_type or a varied key")
+        ->type_name("word");
+    sub->add_option("--distance", arguments->layout.distances,
+                    "Tell the probability of reaching this distance")
+        ->type_name("m")
+        ->check(CLI::NonNegativeNumber);
+    sub->add_option("--format", arguments->format, "text, csv, json, or (of a study) markdown")
         ->type_name("word")
         ->capture_default_str();
     sub->callback([arguments, &command] { command = [arguments] { return show_table(*arguments); }; });

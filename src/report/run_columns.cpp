@@ -30,6 +30,19 @@ void append_work(std::vector<RunColumn>& columns, const RunWork& work) {
             {column.name, std::visit([&](auto member) { return number(work.*member); }, column.member)});
 }
 
+/// The error bar of a run that is not a result would be one of nothing.
+void append_appraisal(std::vector<RunColumn>& columns, const StoredRun& run) {
+    const Appraisal& appraisal = run.appraisal;
+    const bool valid = is_result(run.status);
+    columns.push_back({"accuracy_asked", appraisal.accuracy_asked});
+    columns.push_back({"run_out_error_m", valid ? number(appraisal.run_out_error_m) : Cell()});
+    columns.push_back({"reach_angle_error_deg", valid ? number(appraisal.reach_angle_error_deg) : Cell()});
+    columns.push_back({"error_origin", appraisal.error_origin});
+    columns.push_back({"error_note", appraisal.error_note});
+    columns.push_back({"expected_cpu_s", number(appraisal.expected_cpu_s)});
+    columns.push_back({"choosing_cpu_s", number(appraisal.choosing_cpu_s)});
+}
+
 /// An object; empty where the section came from no map.
 Cell attributes_json(const std::vector<Attribute>& attributes) {
     if (attributes.empty()) return {};
@@ -63,12 +76,14 @@ std::vector<RunColumn> run_columns(const StoredRun& run) {
         {"friction_angle_deg", number(run.friction_angle_deg)},
     };
     append_measures(columns, run);
+    append_appraisal(columns, run);
     append_work(columns, run.work);
     columns.push_back({"started_utc", run.started_utc});
     columns.push_back({"ended_utc", run.ended_utc});
     columns.push_back({"program_version", run.program_version});
     columns.push_back({"program_revision", run.program_revision});
     columns.push_back({"compiler", run.compiler});
+    columns.push_back({"machine", run.machine});
     columns.push_back({"host_threads", number(run.host_threads)});
     columns.push_back({"scenario_hash", run.scenario_hash});
     return columns;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "report/table.h"
@@ -41,6 +42,22 @@ std::string deposit_lines(const StoredRun& run) {
     return text;
 }
 
+/// How sure the numbers are as numbers; and beside it how much nature scatters, so that nobody pays for
+/// digits that mean nothing.
+std::string error_lines(const StoredRun& run) {
+    const Appraisal& a = run.appraisal;
+    if (!std::isfinite(a.run_out_error_m))
+        return fmt::format("Numerical error not known{}{}; `runout accuracy` tells it.\n",
+                           a.error_note.empty() ? "" : ": ", a.error_note);
+    const double root_area = std::sqrt(run.measures.source_area_m2);
+    std::string text = fmt::format("Numerical error +-{:.2g} m ({:.1f} %) of the run-out", a.run_out_error_m,
+                                   100.0 * a.run_out_error_m / std::max(run.measures.run_out_m, root_area));
+    if (std::isfinite(a.reach_angle_error_deg))
+        text += fmt::format(", +-{:.1f} deg of the reach angle", a.reach_angle_error_deg);
+    return text + fmt::format(" (95 %; {}: {}).\n", a.error_origin, a.error_note) +
+           "Empirical relations of travel distance scatter by a factor of 1.4 either way.\n";
+}
+
 std::string source_line(const StoredRun& run) {
     const Measures& m = run.measures;
     return fmt::format(
@@ -52,8 +69,10 @@ std::string source_line(const StoredRun& run) {
 
 std::string work_line(const StoredRun& run) {
     const RunWork& w = run.work;
-    return fmt::format("{} particles of {:.3g} m, {} steps, {} ({} of CPU time).\n", w.particles,
-                       w.particle_spacing_m, w.steps, duration(w.wall_s), duration(w.cpu_s));
+    const double expected = run.appraisal.expected_cpu_s;
+    return fmt::format("{} particles of {:.3g} m, {} steps, {} ({} of CPU time{}).\n", w.particles,
+                       w.particle_spacing_m, w.steps, duration(w.wall_s), duration(w.cpu_s),
+                       std::isfinite(expected) ? fmt::format(", {} expected", duration(expected)) : "");
 }
 
 std::string resolution_line(const StoredRun& run) {
@@ -109,7 +128,8 @@ std::string run_summary(const StoredRun& run) {
     if (run.status == RunStatus::stable)
         return fmt::format("{}: the source stands at this strength: no run-out.\n", title(run)) +
                source_line(run) + work_line(run);
-    return front_line(run) + deposit_lines(run) + source_line(run) + work_line(run) + resolution_line(run);
+    return front_line(run) + deposit_lines(run) + error_lines(run) + source_line(run) + work_line(run) +
+           resolution_line(run);
 }
 
 }  // namespace runout

@@ -35,6 +35,7 @@ struct Plot {
 
 bool can_be_drawn(const Figure& figure, const Vec2& point) {
     if (!point.allFinite() || point.cwiseAbs().maxCoeff() > farthest) return false;
+    if (figure.logarithmic_y && !(point.y() > 1.0 / farthest)) return false;
     return !figure.logarithmic_x || point.x() > 1.0 / farthest;
 }
 
@@ -72,7 +73,8 @@ Plot plot_of(const Figure& figure, double top) {
     Plot plot;
     plot.top = top;
     plot.height = plot_height;
-    plot.y = linear_axis(y_data, ticks_in(plot.height, y_tick_distance));
+    const int y_ticks = ticks_in(plot.height, y_tick_distance);
+    plot.y = figure.logarithmic_y ? logarithmic_axis(y_data, y_ticks) : linear_axis(y_data, y_ticks);
     const auto space_left = [&] {
         const std::size_t lines = wrapped(figure.y_label, label_size, plot.height).size();
         return edge + line_height * static_cast<double>(lines) +
@@ -80,7 +82,7 @@ Plot plot_of(const Figure& figure, double top) {
     };
     plot.left = space_left();
     plot.width = page_width - plot.left - right_margin;
-    if (figure.equal_scales && !figure.logarithmic_x) {
+    if (figure.equal_scales && !figure.logarithmic_x && !figure.logarithmic_y) {
         fit_equal_scales(plot, x_data, y_data);
         plot.left = std::max(plot.left, space_left());
         plot.left += std::max(0.0, 0.5 * (page_width - right_margin - plot.left - plot.width));

@@ -69,6 +69,15 @@ std::function<std::string(const StoredRun&)> measure(double Measures::*value, co
     };
 }
 
+/// Numerical uncertainty; nothing where it is not known.
+std::function<std::string(const StoredRun&)> error(double Appraisal::*value, const char* format) {
+    return [value, format](const StoredRun& run) -> std::string {
+        const double number = run.appraisal.*value;
+        if (!is_result(run.status) || !std::isfinite(number)) return {};
+        return fmt::format(fmt::runtime(format), number);
+    };
+}
+
 const std::vector<TextColumn>& text_columns() {
     static const std::vector<TextColumn> columns = {
         {"run", "", false, [](const StoredRun& run) { return std::to_string(run.run_id); }},
@@ -79,8 +88,11 @@ const std::vector<TextColumn>& text_columns() {
         {"area", "m2", false, measure(&Measures::source_area_m2, "{:.4g}")},
         {"drop height", "m", false, measure(&Measures::drop_height_m, "{:.4g}")},
         {"run-out", "m", false, measure(&Measures::run_out_m, "{:.4g}")},
+        {"+-", "m", false, error(&Appraisal::run_out_error_m, "{:.2g}")},
         {"L/sqrt(S)", "-", false, measure(&Measures::run_out_normalised, "{:.3f}")},
         {"reach angle", "deg", false, measure(&Measures::reach_angle_deg, "{:.1f}")},
+        {"+-", "deg", false, error(&Appraisal::reach_angle_error_deg, "{:.1f}")},
+        {"error from", "", true, [](const StoredRun& run) { return run.appraisal.error_origin; }},
         {"toe thickness", "m", false, measure(&Measures::toe_thickness_m, "{:.3g}")},
         {"front speed", "m/s", false, measure(&Measures::peak_front_speed_m_s, "{:.3g}")},
         {"status", "", true, [](const StoredRun& run) { return std::string(to_string(run.status)); }},

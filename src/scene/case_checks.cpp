@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/accuracy_target.h"
 #include "scene/parameters.h"
 
 namespace runout {
@@ -18,11 +19,13 @@ struct Rivals {
 };
 
 /// Two ways to say the same thing.
-constexpr std::array<Rivals, 4> rivals = {{
+constexpr std::array<Rivals, 6> rivals = {{
     {"section.file", "section.raster"},
     {"section.file", "section.line"},
     {"section.feature_id", "section.where"},
     {"run.particle_spacing_m", "run.resolution"},
+    {"run.accuracy", "run.resolution"},
+    {"run.accuracy", "run.particle_spacing_m"},
 }};
 
 struct Companions {
@@ -99,6 +102,7 @@ void check_keys_go_together(const CaseSpec& spec) {
     check_companions(spec);
     check_source_keys(spec);
     check_friction_keys(spec);
+    accuracy_target(spec.accuracy, spec.place("run.accuracy"));
 }
 
 }  // namespace runout

@@ -229,6 +229,27 @@ void read_toml(CaseSpec& spec) {
     resolve_paths(spec.section, spec.file);
 }
 
+// Three ways to say how fine a run is. The command line's word replaces the file's, in whatever way that said
+// it.
+constexpr std::array<std::string_view, 3> ways_to_say_how_fine = {"run.accuracy", "run.resolution",
+                                                                  "run.particle_spacing_m"};
+
+bool says_how_fine(std::string_view key) {
+    return std::ranges::find(ways_to_say_how_fine, key) != ways_to_say_how_fine.end();
+}
+
+void forget_how_fine_the_file_said(CaseSpec& spec, std::string_view except) {
+    const CaseSpec fresh;
+    for (const std::string_view key : ways_to_say_how_fine) {
+        const auto given = spec.given.find(key);
+        if (key == except || given == spec.given.end() || given->second.file != spec.file) continue;
+        spec.given.erase(given);
+        if (key == "run.accuracy") spec.accuracy = fresh.accuracy;
+        if (key == "run.resolution") spec.run.resolution = fresh.run.resolution;
+        if (key == "run.particle_spacing_m") spec.run.particle_spacing = fresh.run.particle_spacing;
+    }
+}
+
 /// Which key a file stands for that is no case; empty if none.
 std::string section_key(const std::string& extension) {
     constexpr std::array maps = {".gpkg", ".shp", ".geojson", ".fgb", ".gml", ".kml"};
@@ -262,6 +283,7 @@ void override_value(CaseSpec& spec, const std::string& key, const std::string& t
     const InputPlace place{.file = option, .line = 0, .key = key, .value = text};
     const Parameter& parameter = known_parameter(place);
     assign(spec, parameter, value_from(text, parameter, place), place);
+    if (says_how_fine(key)) forget_how_fine_the_file_said(spec, key);
 }
 
 }  // namespace runout

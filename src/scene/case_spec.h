@@ -30,6 +30,7 @@ struct CaseSpec {
     Material material{.friction_angle = std::numeric_limits<double>::quiet_NaN()};  ///< NaN: not given
     Effects effects;
     RunSettings run;
+    std::string accuracy = "5%";  ///< of the run-out, for choosing a spacing that is not given
 
     /// Every key that was given: where, and what stood there. Keys that are absent here have their defaults.
     std::map<std::string, InputPlace, std::less<>> given;

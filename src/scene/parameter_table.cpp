@@ -283,9 +283,15 @@ std::vector<Parameter> physical_run_parameters() {
 
 std::vector<Parameter> numerical_run_parameters() {
     return {
-        number("run.resolution", "", between(4, 2000), "40", "sqrt(source area) over particle spacing.",
+        word("run.accuracy", {}, "5%",
+             "Numerical error that the run-out may have: a share (\"5%\") or a length (\"0.25 m\"). The "
+             "cheapest "
+             "spacing that meets it is chosen; excludes run.resolution and run.particle_spacing_m.",
+             [](CaseSpec& spec, const std::string& text) { spec.accuracy = text; }),
+        number("run.resolution", "", between(4, 2000), "chosen to meet run.accuracy",
+               "sqrt(source area) over particle spacing.",
                [](CaseSpec& spec, double ratio) { spec.run.resolution = ratio; }),
-        number("run.particle_spacing_m", "m", positive, "from run.resolution",
+        number("run.particle_spacing_m", "m", positive, "chosen to meet run.accuracy",
                "Distance between particles; excludes run.resolution.",
                [](CaseSpec& spec, double metres) { spec.run.particle_spacing = metres; }),
         number("run.courant", "", above_zero_up_to(0.5), "0.1",

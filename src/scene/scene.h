@@ -24,7 +24,7 @@ enum class FrictionScheme {
 /// Numbers of the simulation that are not the ground, the mass or the soil.
 struct RunSettings {
     double particle_spacing = 0;   ///< dl, m; 0: from `resolution`
-    double resolution = 40;        ///< sqrt(S)/dl when no spacing is given
+    double resolution = 40;        ///< sqrt(S)/dl when no spacing is given; `runout run` chooses it
     double gravity = 9.81;         ///< m/s2
     double courant = 0.1;          ///< C_max of eq. 6
     double smoothing_ratio = 1.3;  ///< h/dl

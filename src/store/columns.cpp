@@ -17,6 +17,7 @@ constexpr std::array work = {
     WorkColumn{"wall_s", &RunWork::wall_s},
     WorkColumn{"cpu_s", &RunWork::cpu_s},
     WorkColumn{"threads", &RunWork::threads},
+    WorkColumn{"peak_memory_mb", &RunWork::peak_memory_mb},
 };
 
 constexpr std::array series = {
@@ -55,6 +56,31 @@ constexpr std::array frame_scale = {
     RealColumn<FrameScale>{"pressure_step_pa", &FrameScale::pressure_step_pa},
 };
 
+constexpr std::array pilot = {
+    RealColumn<PilotRow>{"resolution", &PilotRow::resolution},
+    RealColumn<PilotRow>{"lattice_seed", &PilotRow::lattice_seed},
+    RealColumn<PilotRow>{"run_out_m", &PilotRow::run_out_m},
+    RealColumn<PilotRow>{"reach_angle_deg", &PilotRow::reach_angle_deg},
+    RealColumn<PilotRow>{"deposit_height_m", &PilotRow::deposit_height_m},
+    RealColumn<PilotRow>{"particles", &PilotRow::particles},
+    RealColumn<PilotRow>{"steps", &PilotRow::steps},
+    RealColumn<PilotRow>{"pressure_iterations", &PilotRow::pressure_iterations},
+    RealColumn<PilotRow>{"cpu_s", &PilotRow::cpu_s},
+};
+
+constexpr std::array appraisal = {
+    RealColumn<Appraisal>{"run_out_error_m", &Appraisal::run_out_error_m},
+    RealColumn<Appraisal>{"reach_angle_error_deg", &Appraisal::reach_angle_error_deg},
+    RealColumn<Appraisal>{"expected_cpu_s", &Appraisal::expected_cpu_s},
+    RealColumn<Appraisal>{"choosing_cpu_s", &Appraisal::choosing_cpu_s},
+};
+
+constexpr std::array appraisal_words = {
+    AppraisalText{"accuracy_asked", &Appraisal::accuracy_asked},
+    AppraisalText{"error_origin", &Appraisal::error_origin},
+    AppraisalText{"error_note", &Appraisal::error_note},
+};
+
 constexpr std::array snapshot = {
     SnapshotColumn{"x_m", &Snapshot::x_m},
     SnapshotColumn{"y_m", &Snapshot::y_m},
@@ -68,6 +94,9 @@ static_assert(sizeof(SeriesRow) == series.size() * sizeof(double));
 static_assert(sizeof(DepositRow) == deposit.size() * sizeof(double));
 static_assert(sizeof(StageRow) == stage.size() * sizeof(double));
 static_assert(sizeof(FrameScale) == frame_scale.size() * sizeof(double));
+static_assert(sizeof(PilotRow) == pilot.size() * sizeof(double));
+static_assert(sizeof(Appraisal) ==
+              appraisal.size() * sizeof(double) + appraisal_words.size() * sizeof(std::string));
 static_assert(sizeof(Snapshot) == sizeof(double) + snapshot.size() * sizeof(std::vector<float>));
 
 }  // namespace
@@ -86,6 +115,15 @@ std::span<const RealColumn<StageRow>> stage_columns() {
 }
 std::span<const RealColumn<FrameScale>> frame_scale_columns() {
     return frame_scale;
+}
+std::span<const RealColumn<PilotRow>> pilot_columns() {
+    return pilot;
+}
+std::span<const RealColumn<Appraisal>> appraisal_numbers() {
+    return appraisal;
+}
+std::span<const AppraisalText> appraisal_texts() {
+    return appraisal_words;
 }
 std::span<const SnapshotColumn> snapshot_columns() {
     return snapshot;

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "measures/measures.h"
+#include "store/store.h"
 
 namespace runout {
 
@@ -27,6 +28,15 @@ std::span<const RealColumn<SeriesRow>> series_columns();
 std::span<const RealColumn<DepositRow>> deposit_columns();
 std::span<const RealColumn<StageRow>> stage_columns();
 std::span<const RealColumn<FrameScale>> frame_scale_columns();
+std::span<const RealColumn<PilotRow>> pilot_columns();
+std::span<const RealColumn<Appraisal>> appraisal_numbers();
+
+/// One word or sentence of an appraisal.
+struct AppraisalText {
+    const char* name;
+    std::string Appraisal::*value;
+};
+std::span<const AppraisalText> appraisal_texts();
 
 /// One array of a snapshot.
 struct SnapshotColumn {

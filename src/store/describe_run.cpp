@@ -4,6 +4,7 @@
 #include <chrono>
 #include <thread>
 
+#include "core/machine.h"
 #include "core/units.h"
 #include "core/version.h"
 #include "store/store.h"
@@ -23,7 +24,7 @@ Clock::duration wall_time(const RunWork& work) {
 
 }  // namespace
 
-StoredRun describe_run(const Scene& scene, const RunResult& result) {
+StoredRun describe_run(const Scene& scene, const RunResult& result, const Appraisal& appraisal) {
     const Clock::time_point now = Clock::now();
     StoredRun run;
     run.name = scene.name;
@@ -45,6 +46,8 @@ StoredRun describe_run(const Scene& scene, const RunResult& result) {
     run.status_detail = result.status_detail;
     run.measures = result.measures;
     run.work = result.work;
+    run.machine = machine_description();
+    run.appraisal = appraisal;
     return run;
 }
 

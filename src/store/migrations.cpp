@@ -81,6 +81,103 @@ CREATE TABLE frame (
 ) STRICT;
 )"},
         Migration{3, R"(
+ALTER TABLE run ADD COLUMN peak_memory_mb REAL NOT NULL DEFAULT 0;
+ALTER TABLE run ADD COLUMN machine TEXT NOT NULL DEFAULT '';
+ALTER TABLE run ADD COLUMN accuracy_asked TEXT NOT NULL DEFAULT '';
+ALTER TABLE run ADD COLUMN run_out_error_m REAL;
+ALTER TABLE run ADD COLUMN reach_angle_error_deg REAL;
+ALTER TABLE run ADD COLUMN error_origin TEXT NOT NULL DEFAULT 'none'
+    CHECK (error_origin IN ('ladder', 'pilot', 'none'));
+ALTER TABLE run ADD COLUMN error_note TEXT NOT NULL DEFAULT '';
+ALTER TABLE run ADD COLUMN expected_cpu_s REAL;
+ALTER TABLE run ADD COLUMN choosing_cpu_s REAL NOT NULL DEFAULT 0;
+CREATE TABLE pilot (
+    run_id INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    row_index INTEGER NOT NULL,
+    resolution REAL,
+    lattice_seed REAL,
+    run_out_m REAL,
+    reach_angle_deg REAL,
+    deposit_height_m REAL,
+    particles REAL,
+    steps REAL,
+    pressure_iterations REAL,
+    cpu_s REAL,
+    PRIMARY KEY (run_id, row_index)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE ladder (
+    ladder_id INTEGER PRIMARY KEY AUTOINCREMENT,
+    question_hash TEXT NOT NULL,
+    name TEXT NOT NULL,
+    ended_utc TEXT NOT NULL,
+    target TEXT NOT NULL,
+    machine TEXT NOT NULL
+) STRICT;
+CREATE INDEX ladder_of_question ON ladder (question_hash);
+CREATE TABLE ladder_run (
+    ladder_id INTEGER NOT NULL REFERENCES ladder ON DELETE CASCADE,
+    row_index INTEGER NOT NULL,
+    series TEXT NOT NULL,
+    setting TEXT NOT NULL,
+    resolution REAL NOT NULL,
+    run_id INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    PRIMARY KEY (ladder_id, row_index)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE ladder_verdict (
+    ladder_id INTEGER NOT NULL REFERENCES ladder ON DELETE CASCADE,
+    quantity TEXT NOT NULL,
+    verdict TEXT NOT NULL,
+    finest_value REAL,
+    uncertainty REAL,
+    lattice_scatter REAL,
+    observed_order REAL,
+    richardson_value REAL,
+    grid_convergence_index REAL,
+    fitted_order REAL,
+    fitted_value REAL,
+    PRIMARY KEY (ladder_id, quantity)
+) STRICT;
+DROP VIEW result;
+CREATE VIEW result AS
+SELECT run.name, run.section_origin, source.source_type, source.discontinuity_angle_deg, source.drop_height_datum,
+       section.slope_angle_deg, scenario.friction_angle_deg, run.status, run.run_out_error_m,
+       run.reach_angle_error_deg, run.error_origin, measure.*
+FROM run
+JOIN run_status USING (status)
+JOIN scenario USING (scenario_id)
+JOIN source USING (source_id)
+JOIN section USING (section_id)
+JOIN measure USING (run_id)
+WHERE run_status.is_result = 1;
+CREATE VIEW ladder_rung AS
+SELECT ladder.ladder_id, ladder.name, ladder_run.series, ladder_run.setting, ladder_run.resolution,
+       count(*) AS lattices, avg(run.particles) AS particles, avg(run.steps) AS steps, avg(run.cpu_s) AS cpu_s,
+       avg(measure.run_out_m) AS run_out_m, avg(measure.reach_angle_deg) AS reach_angle_deg,
+       avg(measure.deposit_height_m) AS deposit_height_m
+FROM ladder
+JOIN ladder_run USING (ladder_id)
+JOIN run USING (run_id)
+JOIN run_status USING (status)
+JOIN measure USING (run_id)
+WHERE run_status.is_result = 1
+GROUP BY ladder.ladder_id, ladder_run.series, ladder_run.setting, ladder_run.resolution;
+)"},
+        Migration{4, R"(
+CREATE TABLE study (
+    study_id INTEGER PRIMARY KEY,
+    name TEXT NOT NULL UNIQUE,
+    text TEXT NOT NULL
+) STRICT;
+CREATE TABLE study_scenario (
+    study_id INTEGER NOT NULL REFERENCES study ON DELETE CASCADE,
+    scenario_index INTEGER NOT NULL,
+    scenario_hash TEXT NOT NULL,
+    inputs TEXT NOT NULL,
+    refusal TEXT NOT NULL,
+    PRIMARY KEY (study_id, scenario_index)
+) STRICT, WITHOUT ROWID;
+)"},
+        Migration{5, R"(
 CREATE TABLE invariant (
     run_id INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
     invariant TEXT NOT NULL,

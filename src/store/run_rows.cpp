@@ -53,6 +53,7 @@ constexpr std::array text_columns = {
     TextColumn{"program_revision", &StoredRun::program_revision},
     TextColumn{"compiler", &StoredRun::compiler},
     TextColumn{"status_detail", &StoredRun::status_detail},
+    TextColumn{"machine", &StoredRun::machine},
 };
 
 void bind_work(Statement& statement, int& place, const RunWork& work) {
@@ -70,6 +71,18 @@ void read_work(const Statement& statement, int& place, RunWork& work) {
             work.*member = static_cast<Number>(value.getInt64());
     };
     for (const WorkColumn& column : work_columns()) std::visit(read, column.member);
+}
+
+void bind_appraisal(Statement& statement, int& place, const Appraisal& appraisal) {
+    for (const auto& column : appraisal_numbers()) statement.bind(++place, appraisal.*column.value);
+    for (const auto& column : appraisal_texts()) statement.bind(++place, appraisal.*column.value);
+}
+
+void read_appraisal(const Statement& statement, int& place, Appraisal& appraisal) {
+    for (const auto& column : appraisal_numbers())
+        appraisal.*column.value = real(statement.getColumn(place++));
+    for (const auto& column : appraisal_texts())
+        appraisal.*column.value = statement.getColumn(place++).getString();
 }
 
 RunStatus status_of(const std::string& word) {
@@ -152,6 +165,8 @@ std::string select_runs_sql(const char* condition) {
                                       "run.host_threads"};
     for (const auto& column : text_columns) names.push_back(fmt::format("run.{}", column.name));
     for (const auto& column : work_columns()) names.push_back(fmt::format("run.{}", column.name));
+    for (const auto& column : appraisal_numbers()) names.push_back(fmt::format("run.{}", column.name));
+    for (const auto& column : appraisal_texts()) names.push_back(fmt::format("run.{}", column.name));
     for (const auto& field : measure_fields()) names.push_back(fmt::format("measure.{}", field.name));
     return fmt::format(
         "SELECT {} FROM run JOIN measure USING (run_id) JOIN scenario USING (scenario_id)"
@@ -174,6 +189,7 @@ StoredRun read_run(const Statement& row) {
     run.host_threads = row.getColumn(place++).getInt();
     for (const auto& column : text_columns) run.*column.value = row.getColumn(place++).getString();
     read_work(row, place, run.work);
+    read_appraisal(row, place, run.appraisal);
     for (const MeasureField& field : measure_fields())
         run.measures.*field.value = real(row.getColumn(place++));
     return run;
@@ -192,6 +208,8 @@ long insert_run(Database& database, long scenario_id, const StoredRun& run) {
     std::vector<std::string> names = {"scenario_id", "status", "host_threads"};
     append_names(names, text_columns);
     append_names(names, work_columns());
+    append_names(names, appraisal_numbers());
+    append_names(names, appraisal_texts());
     Statement statement(database, insert_sql("run", names));
     int place = 0;
     statement.bind(++place, scenario_id);
@@ -199,6 +217,7 @@ long insert_run(Database& database, long scenario_id, const StoredRun& run) {
     statement.bind(++place, run.host_threads);
     for (const auto& column : text_columns) statement.bind(++place, run.*column.value);
     bind_work(statement, place, run.work);
+    bind_appraisal(statement, place, run.appraisal);
     statement.exec();
     const long run_id = database.getLastInsertRowid();
     insert_measures(database, run_id, run.measures);
@@ -215,6 +234,10 @@ void insert_deposit(Database& database, long run_id, const std::vector<DepositRo
 
 void insert_stages(Database& database, long run_id, const std::vector<StageRow>& rows) {
     insert_rows(database, "stage", run_id, rows, stage_columns());
+}
+
+void insert_pilots(Database& database, long run_id, const std::vector<PilotRow>& rows) {
+    insert_rows(database, "pilot", run_id, rows, pilot_columns());
 }
 
 void insert_snapshots(Database& database, long run_id, const std::vector<Snapshot>& snapshots) {
@@ -301,6 +324,10 @@ std::vector<Snapshot> select_snapshots(Database& database, long run_id) {
         snapshots.push_back(std::move(snapshot));
     }
     return snapshots;
+}
+
+std::vector<PilotRow> select_pilots(Database& database, long run_id) {
+    return select_rows(database, "pilot", run_id, pilot_columns());
 }
 
 std::vector<StageRow> select_stages(Database& database, long run_id) {

@@ -20,6 +20,7 @@ void insert_series(SQLite::Database& database, long run_id, const std::vector<Se
 void insert_deposit(SQLite::Database& database, long run_id, const std::vector<DepositRow>& rows);
 void insert_snapshots(SQLite::Database& database, long run_id, const std::vector<Snapshot>& snapshots);
 void insert_stages(SQLite::Database& database, long run_id, const std::vector<StageRow>& rows);
+void insert_pilots(SQLite::Database& database, long run_id, const std::vector<PilotRow>& rows);
 void insert_phases(SQLite::Database& database, long run_id, const std::vector<PhaseTime>& rows);
 void insert_invariants(SQLite::Database& database, long run_id, const std::vector<InvariantRow>& rows);
 
@@ -34,6 +35,7 @@ std::vector<StoredRun> select_runs_on_section(SQLite::Database& database, long s
 std::optional<long> select_run_of(SQLite::Database& database, const std::string& scenario_hash);
 
 std::vector<Snapshot> select_snapshots(SQLite::Database& database, long run_id);
+std::vector<PilotRow> select_pilots(SQLite::Database& database, long run_id);
 std::vector<StageRow> select_stages(SQLite::Database& database, long run_id);
 std::vector<SeriesRow> select_series(SQLite::Database& database, long run_id);
 std::vector<DepositRow> select_deposit(SQLite::Database& database, long run_id);

@@ -1,14 +1,17 @@
 #include "store/store.h"
 
 #include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <stdexcept>
 
 #include "core/input_error.h"
 #include "store/database.h"
 #include "store/frame_rows.h"
+#include "store/ladder_rows.h"
 #include "store/record.h"
 #include "store/run_places.h"
 #include "store/run_rows.h"
@@ -38,14 +41,16 @@ Store::Store(const std::string& path, Mode mode)
 
 Store::~Store() = default;
 
-long Store::add(const Scene& scene, const RunResult& result) {
+long Store::add(const Scene& scene, const RunResult& result, const Appraisal& appraisal,
+                const std::vector<PilotRow>& pilots) {
     if (impl_->mode == Mode::read)
         throw std::logic_error("Store::add on a store that was opened for reading");
     if (result.status == RunStatus::running) throw std::logic_error("Store::add of a run that has not ended");
     return impl_->with_database([&](SQLite::Database& database) {
         // Immediate: a second writer waits here, and not halfway, where SQLite could only refuse it.
         SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-        const long run_id = insert_run(database, scenario_row(database, scene), describe_run(scene, result));
+        const long run_id =
+            insert_run(database, scenario_row(database, scene), describe_run(scene, result, appraisal));
         if (scene.profile.map_line) set_map_line(database, run_id, *scene.profile.map_line);
         insert_series(database, run_id, result.series);
         insert_deposit(database, run_id, result.deposit);
@@ -54,8 +59,81 @@ long Store::add(const Scene& scene, const RunResult& result) {
         insert_stages(database, run_id, result.stages);
         insert_phases(database, run_id, result.phases);
         insert_invariants(database, run_id, result.invariants);
+        insert_pilots(database, run_id, pilots);
         transaction.commit();
         return run_id;
+    });
+}
+
+long Store::add(const StoredLadder& ladder) {
+    if (impl_->mode == Mode::read)
+        throw std::logic_error("Store::add on a store that was opened for reading");
+    return impl_->with_database([&](SQLite::Database& database) {
+        SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+        const long ladder_id = insert_ladder(database, ladder);
+        transaction.commit();
+        return ladder_id;
+    });
+}
+
+std::vector<StoredLadder> Store::ladders() const {
+    return impl_->with_database([](SQLite::Database& database) { return select_ladders(database); });
+}
+
+std::optional<StoredLadder> Store::find_ladder(const std::string& question_hash) const {
+    return impl_->with_database(
+        [&](SQLite::Database& database) { return select_ladder_of(database, question_hash); });
+}
+
+std::vector<PilotRow> Store::pilots(long run_id) const {
+    return impl_->with_database([=](SQLite::Database& database) { return select_pilots(database, run_id); });
+}
+
+long Store::begin_study(const std::string& name, const std::string& text) {
+    return impl_->with_database([&](SQLite::Database& database) {
+        SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+        const long study_id = study_row(database, name, text);
+        transaction.commit();
+        return study_id;
+    });
+}
+
+void Store::set_study_scenarios(long study_id, const std::vector<StudyScenario>& rows) {
+    impl_->with_database([&](SQLite::Database& database) {
+        SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+        runout::set_study_scenarios(database, study_id, rows);
+        transaction.commit();
+    });
+}
+
+std::vector<StoredStudy> Store::studies() const {
+    return impl_->with_database([](SQLite::Database& database) { return select_studies(database); });
+}
+
+std::vector<StudyRow> Store::study_rows(long study_id) const {
+    return impl_->with_database(
+        [=](SQLite::Database& database) { return select_study_rows(database, study_id); });
+}
+
+MergeCounts Store::merge(const std::string& path) {
+    if (std::filesystem::exists(path) && std::filesystem::equivalent(path, impl_->path))
+        throw InputError({.file = path, .line = 0, .key = {}, .value = {}}, "is the database to merge into",
+                         "give other databases");
+    open_for_reading(path);  // says what is wrong with it
+    return impl_->with_database([&](SQLite::Database& database) {
+        SQLite::Statement attach(database, "ATTACH DATABASE ? AS shard");
+        attach.bind(1, std::filesystem::absolute(path).string());
+        attach.exec();
+        try {
+            SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+            const MergeCounts counts = merge_attached(database, path);
+            transaction.commit();
+            database.exec("DETACH DATABASE shard");
+            return counts;
+        } catch (...) {
+            database.exec("DETACH DATABASE shard");
+            throw;
+        }
     });
 }
 

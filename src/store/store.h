@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,12 +9,41 @@
 
 #include "measures/measures.h"
 #include "scene/scene.h"
+#include "store/merge.h"
+#include "store/study_rows.h"
 
 namespace runout {
 
 /// Identity of a scenario: SHA-256 (hex) over everything that determines its result (ground, source,
 /// material, run settings that change numbers, program version); not names, paths, thread count.
 std::string scenario_hash(const Scene& scene);
+
+/// A coarse run of the same scenario that was made for another run's spacing and error bar.
+struct PilotRow {
+    double resolution = 0;  ///< sqrt(S) / particle spacing
+    double lattice_seed = 0;
+    double run_out_m = 0;  ///< NaN, as the other measures, when it did not end as a result
+    double reach_angle_deg = 0;
+    double deposit_height_m = 0;
+    double particles = 0;
+    double steps = 0;
+    double pressure_iterations = 0;
+    double cpu_s = 0;
+};
+
+/// How sure the numbers of a run are as numbers, what that was found from, and what the run was expected to
+/// take.
+struct Appraisal {
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+    std::string accuracy_asked;              ///< "5 %"; empty: the spacing was given
+    double run_out_error_m = unknown;        ///< numerical uncertainty of the run-out, 95 %
+    double reach_angle_error_deg = unknown;  ///< and of the reach angle
+    std::string error_origin = "none";       ///< ladder, pilot or none
+    std::string error_note;                  ///< how they were found, one sentence
+    double expected_cpu_s = unknown;         ///< as the cost model foretold it
+    double choosing_cpu_s = 0;               ///< spent on pilots
+};
 
 /// One run with its scenario, as the tables and reports read it.
 struct StoredRun {
@@ -37,6 +67,8 @@ struct StoredRun {
     std::string status_detail;
     Measures measures;
     RunWork work;
+    std::string machine;  ///< processor and hardware threads
+    Appraisal appraisal;
 };
 
 /// Ground and source of a run, local frame.
@@ -71,7 +103,41 @@ struct StoredTable {
 
 /// The run that has just ended, by this program on this machine, as `Store::add` writes it. For telling the
 /// result when there is no database, or when it could not be written.
-StoredRun describe_run(const Scene& scene, const RunResult& result);
+StoredRun describe_run(const Scene& scene, const RunResult& result, const Appraisal& appraisal = {});
+
+/// One run of a study of what accuracy costs.
+struct LadderRun {
+    std::string series;   ///< what was varied; "spacing" for the ladder proper
+    std::string setting;  ///< its value, as in a case file
+    double resolution = 0;
+    long run_id = 0;
+};
+
+/// What a ladder says of one quantity; NaN where it says nothing. The columns of ladder_verdict.
+struct LadderVerdict {
+    std::string quantity;  ///< name of the measure
+    std::string verdict;
+    double finest_value = 0;
+    double uncertainty = 0;
+    double lattice_scatter = 0;
+    double observed_order = 0;
+    double richardson_value = 0;
+    double grid_convergence_index = 0;
+    double fitted_order = 0;
+    double fitted_value = 0;
+};
+
+/// A study of one question, as it is stored.
+struct StoredLadder {
+    long ladder_id = 0;         ///< 0: not stored
+    std::string question_hash;  ///< of all that determines the result but spacing and lattice
+    std::string name;
+    std::string ended_utc;  ///< empty: when it is stored
+    std::string target;
+    std::string machine;
+    std::vector<LadderRun> runs;
+    std::vector<LadderVerdict> verdicts;
+};
 
 /// Where a run took place: the section in chainages and elevations of its origin, and on the map.
 struct RunPlace {
@@ -109,7 +175,22 @@ class Store {
 
     /// Stores a run that has ended and returns its id. Throws InputError when the disk does not let it; the
     /// database is then as before.
-    long add(const Scene& scene, const RunResult& result);
+    long add(const Scene& scene, const RunResult& result, const Appraisal& appraisal = {},
+             const std::vector<PilotRow>& pilots = {});
+    /// Stores a study whose runs are stored, and returns its id.
+    long add(const StoredLadder& ladder);
+
+    /// The id of the study of that name, which is made if absent. When its text has changed, what was said of
+    /// its scenarios is forgotten; runs stay.
+    long begin_study(const std::string& name, const std::string& text);
+    void set_study_scenarios(long study_id, const std::vector<StudyScenario>& rows);
+    [[nodiscard]] std::vector<StoredStudy> studies() const;
+    /// The scenarios of a study with the latest run of each, in the order of the study.
+    [[nodiscard]] std::vector<StudyRow> study_rows(long study_id) const;
+
+    /// Copies what is missing here from the results database at `path` (see store/merge.h). All or nothing.
+    /// Throws InputError.
+    MergeCounts merge(const std::string& path);
 
     /// All runs in the order they were stored.
     [[nodiscard]] std::vector<StoredRun> runs() const;
@@ -126,6 +207,11 @@ class Store {
     [[nodiscard]] std::vector<Snapshot> snapshots(long run_id) const;
     [[nodiscard]] std::vector<Frame> frames(long run_id) const;
     [[nodiscard]] std::vector<StageRow> stages(long run_id) const;
+    [[nodiscard]] std::vector<PilotRow> pilots(long run_id) const;
+    /// All studies in the order they were stored.
+    [[nodiscard]] std::vector<StoredLadder> ladders() const;
+    /// The latest study of this question.
+    [[nodiscard]] std::optional<StoredLadder> find_ladder(const std::string& question_hash) const;
     /// None when the section came from a CSV, which does not say where it lies.
     [[nodiscard]] std::optional<RunPlace> place(long run_id) const;
     [[nodiscard]] Question question(long run_id) const;

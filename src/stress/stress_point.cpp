@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "stress/hillside.h"
-#include "stress/latin_hypercube.h"
 #include "stress/stress_scene.h"
+#include "study/distribution.h"
 
 namespace runout {
 
@@ -41,12 +41,14 @@ std::vector<StressAxis> stress_axes() {
 }
 
 std::vector<StressPoint> stress_points(std::span<const StressAxis> axes, int count, std::uint64_t seed) {
-    const auto cube = latin_hypercube(count, static_cast<int>(axes.size()), seed);
-    std::vector<StressPoint> points(cube.size());
-    for (std::size_t k = 0; k < cube.size(); ++k) {
+    const auto dimensions = static_cast<Eigen::Index>(axes.size());
+    const Eigen::MatrixXd cube =
+        latin_hypercube(count, Eigen::MatrixXd::Identity(dimensions, dimensions), seed);
+    std::vector<StressPoint> points(static_cast<std::size_t>(count));
+    for (std::size_t k = 0; k < points.size(); ++k) {
         for (std::size_t d = 0; d < axes.size(); ++d) {
             const StressAxis& axis = axes[d];
-            const double at = cube[k][d];
+            const double at = cube(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(d));
             points[k].*axis.value = axis.logarithmic ? axis.low * std::pow(axis.high / axis.low, at)
                                                      : axis.low + at * (axis.high - axis.low);
         }

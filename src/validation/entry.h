@@ -51,6 +51,7 @@ struct Figure {
     std::vector<Curve> curves{};
     bool equal_scales = false;  ///< one metre is as long on both axes
     bool logarithmic_x = false;
+    bool logarithmic_y = false;
 };
 
 /// What validation says of one case.

@@ -4,16 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <filesystem>
 #include <map>
-#include <mutex>
 #include <set>
-#include <thread>
 
-#include "measures/run.h"
 #include "scene/case_file.h"
 #include "scene/scene.h"
+#include "study/run_queue.h"
 
 namespace runout {
 namespace {
@@ -96,57 +93,20 @@ class WorkList {
     std::map<std::string, std::vector<std::pair<std::string, std::string>>> planned_;
 };
 
-/// Takes jobs in turn until none is left, one fails or the user stops it.
-class Workers {
-  public:
-    Workers(const std::vector<Job>& jobs, Store& store, const SuiteOptions& options)
-        : jobs_(jobs), store_(store), options_(options) {}
-
-    void run() {
-        std::vector<std::thread> threads;
-        const int count = std::clamp(options_.jobs, 1, std::max(1, static_cast<int>(jobs_.size())));
-        for (int k = 0; k < count; ++k) threads.emplace_back([this] { work(); });
-        for (std::thread& thread : threads) thread.join();
-        if (failure_) std::rethrow_exception(failure_);
-    }
-
-  private:
-    [[nodiscard]] bool stopped() const {
-        return failed_.load() || (options_.interrupt != nullptr && options_.interrupt->load());
-    }
-
-    void work() {
-        for (std::size_t k = next_++; k < jobs_.size() && !stopped(); k = next_++) {
-            try {
-                simulate(jobs_[k]);
-            } catch (...) {
-                const std::scoped_lock lock(mutex_);
-                failure_ = std::current_exception();
-                failed_ = true;
-            }
-        }
-    }
-
-    void simulate(const Job& job) {
-        RunControl control;
-        control.interrupt = options_.interrupt;
-        const RunResult result = run_scene(job.scene, control);
-        if (result.status == RunStatus::interrupted) return;
-        const std::scoped_lock lock(mutex_);
-        store_.add(job.scene, result);
-        ++done_;
-        if (options_.on_run) options_.on_run(done_, static_cast<int>(jobs_.size()), job.name);
-    }
-
-    const std::vector<Job>& jobs_;
-    Store& store_;
-    const SuiteOptions& options_;
-    std::atomic<std::size_t> next_{0};
-    std::atomic<bool> failed_{false};
-    std::mutex mutex_;
-    int done_ = 0;
-    std::exception_ptr failure_;
-};
+/// Simulates the jobs side by side and stores each as it ends.
+void simulate(const std::vector<Job>& jobs, Store& store, const SuiteOptions& options) {
+    RunQueue queue;
+    queue.count = jobs.size();
+    queue.scene = [&](std::size_t k) { return jobs[k].scene; };
+    queue.workers = std::min(options.jobs, std::max(1, static_cast<int>(jobs.size())));
+    queue.interrupt = options.interrupt;
+    int done = 0;
+    queue.on_event = [&](const QueueEvent& event) {
+        ++done;
+        if (options.on_run) options.on_run(done, static_cast<int>(jobs.size()), jobs[event.job].name);
+    };
+    run_queue(queue, store);
+}
 
 }  // namespace
 
@@ -154,7 +114,7 @@ std::vector<CaseReport> run_suite(std::span<const ValidationCase> cases, Store& 
                                   const SuiteOptions& options) {
     WorkList list;
     for (const ValidationCase& item : cases) list.plan(item.name, item.plan(options.quick), store, options);
-    Workers(list.jobs(), store, options).run();
+    simulate(list.jobs(), store, options);
     if (options.interrupt != nullptr && options.interrupt->load()) return {};
     std::vector<CaseReport> reports;
     for (const ValidationCase& item : cases) {
@@ -168,7 +128,7 @@ std::vector<long> run_planned(const std::string& name, const std::vector<Planned
                               const SuiteOptions& options) {
     WorkList list;
     list.plan(name, runs, store, options);
-    Workers(list.jobs(), store, options).run();
+    simulate(list.jobs(), store, options);
     if (options.interrupt != nullptr && options.interrupt->load()) return {};
     return list.ids_of(name, store);
 }

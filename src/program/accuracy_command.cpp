@@ -1,0 +1,227 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "accuracy/check_choices.h"
+#include "accuracy/ladder.h"
+#include "accuracy/methods.h"
+#include "accuracy/price.h"
+#include "accuracy/study.h"
+#include "accuracy/survey.h"
+#include "program/case_arguments.h"
+#include "program/command.h"
+#include "program/interrupt.h"
+#include "report/accuracy_page.h"
+#include "report/ladder_text.h"
+#include "report/svg_chart.h"
+#include "scene/scene.h"
+#include "store/store.h"
+
+namespace runout {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct AccuracyArguments {
+    CaseArguments scenario;
+    std::string target = "5%";
+    std::string database = "runout.db";
+    std::string chart;
+    std::string page;
+    std::string survey;
+    double budget_s = 300;
+    double at_least_to = 0;
+    int lattices = 3;
+    bool methods = false;
+    bool check = false;
+    bool json = false;
+    bool quiet = false;
+};
+
+InputPlace option(const char* name, const std::string& value) {
+    return {.file = name, .line = 0, .key = {}, .value = value};
+}
+
+/// What would only be found out after all runs.
+void check_place(const char* name, const std::string& path) {
+    if (path.empty()) return;
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored))
+        throw InputError(option(name, path), "is a folder", "give the name of a file");
+    if (!fs::is_directory(fs::absolute(path).parent_path(), ignored))
+        throw InputError(option(name, path), "is in a folder that does not exist", "create the folder first");
+}
+
+void write_file(const fs::path& path, const std::string& text) {
+    std::ofstream stream(path, std::ios::binary);
+    stream << text;
+    if (!stream.flush())
+        throw InputError(option("--output", path.string()), "cannot be written",
+                         "give a file in a place that you may write");
+}
+
+/// A case says how fine it wants to be run; a ladder asks at every spacing.
+Scene scene_of(const AccuracyArguments& arguments) {
+    for (const Override& entry : arguments.scenario.overrides)
+        for (const char* key :
+             {"run.accuracy", "run.resolution", "run.particle_spacing_m", "run.lattice_seed"})
+            if (entry.key == key)
+                throw InputError({.file = entry.option, .line = 0, .key = key, .value = entry.text},
+                                 "does not apply to a ladder, which runs at many spacings and lattices",
+                                 "leave it out, and give --target");
+    Scene scene = make_scene(case_from(arguments.scenario));
+    log_assumptions(scene.assumed);
+    return scene;
+}
+
+void say(const AccuracyArguments& arguments, const std::string& text) {
+    if (arguments.json) return;
+    fmt::print("{}", text);
+    std::fflush(stdout);
+}
+
+Ladder climb_and_tell(const Scene& scene, Store& store, const AccuracyArguments& arguments,
+                      const std::atomic<bool>& interrupt) {
+    LadderOptions options;
+    options.target = accuracy_target(arguments.target, option("--target", arguments.target));
+    options.lattices = arguments.lattices;
+    options.budget_s = arguments.budget_s;
+    options.at_least_to = arguments.at_least_to;
+    options.interrupt = &interrupt;
+    std::optional<RungSummary> before;
+    options.on_rung = [&](const RungSummary& rung) {
+        say(arguments, rung_table_line(rung, before ? &*before : nullptr));
+        before = rung;
+    };
+    say(arguments, rung_table_head());
+    return climb(scene, store, options);
+}
+
+void compare_and_tell(const Scene& scene, Ladder& ladder, Store& store, const AccuracyArguments& arguments,
+                      const std::atomic<bool>& interrupt) {
+    MethodOptions options;
+    options.interrupt = &interrupt;
+    options.on_point = [&](const MethodPoint& point) { say(arguments, method_table_line(point)); };
+    say(arguments, "\n" + method_table_head());
+    compare_methods(scene, ladder, store, options);
+}
+
+int study(const AccuracyArguments& arguments) {
+    const Scene scene = scene_of(arguments);
+    accuracy_target(arguments.target, option("--target", arguments.target));
+    Store store(arguments.database, Store::Mode::write);
+    InterruptWatch interrupt;
+    Ladder ladder = climb_and_tell(scene, store, arguments, interrupt.requested());
+    const std::vector<Price> prices = price_list(ladder);
+    say(arguments, "\n" + ladder_summary(ladder, prices));
+    if (arguments.methods && !interrupt.requested())
+        compare_and_tell(scene, ladder, store, arguments, interrupt.requested());
+    if (arguments.check && !interrupt.requested())
+        check_choices(scene, ladder, store, arguments.budget_s, &interrupt.requested());
+    const StoredLadder stored = describe_ladder(scene, ladder);
+    const long ladder_id = store.add(stored);
+    spdlog::info("stored as study {} in {}", ladder_id, arguments.database);
+    const std::vector<MethodPoint> points = read_study(stored, store).points;
+    if (arguments.json) fmt::print("{}", ladder_json(scene.name, ladder, prices, points));
+    if (!arguments.chart.empty())
+        write_file(arguments.chart,
+                   svg_chart(work_precision_figure(scene.name, chart_title(scene.name), points)));
+    if (interrupt.requested()) return exit_code::interrupted;
+    return ladder.convergence[0].fit ? exit_code::success : exit_code::not_a_result;
+}
+
+void write_page(const AccuracyArguments& arguments, const Store& store) {
+    const fs::path page(arguments.page);
+    const fs::path pictures = page.parent_path() / page.stem();
+    const std::vector<AccuracyStudy> studies = read_studies(store);
+    if (studies.empty())
+        throw InputError(option("--db", arguments.database), "holds no study of accuracy",
+                         "make one with: runout accuracy CASE --db " + arguments.database);
+    fs::create_directories(pictures);
+    for (const AccuracyStudy& item : studies)
+        write_file(pictures / (item.name + ".svg"),
+                   svg_chart(work_precision_figure(item.name, chart_title(item.name), item.points)));
+    write_file(page, accuracy_page(studies, page.stem().string()));
+}
+
+int accuracy(const AccuracyArguments& arguments) {
+    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
+    check_place("--chart", arguments.chart);
+    check_place("--page", arguments.page);
+    check_place("--survey", arguments.survey);
+    const bool from_store = !arguments.page.empty() || !arguments.survey.empty();
+    if (arguments.scenario.file.empty() && !from_store)
+        throw InputError(option("accuracy", ""), "has no FILE",
+                         "give a case (.toml) or a section (.csv), or --page to write up stored studies");
+    int code = exit_code::success;
+    if (!arguments.scenario.file.empty()) code = study(arguments);
+    if (!from_store) return code;
+    const Store store(arguments.database, Store::Mode::read);
+    if (!arguments.page.empty()) write_page(arguments, store);
+    if (!arguments.survey.empty()) write_file(arguments.survey, survey_text(store));
+    return code;
+}
+
+}  // namespace
+
+void add_accuracy_command(CLI::App& app, Command& command) {
+    const auto arguments = std::make_shared<AccuracyArguments>();
+    CLI::App* sub = app.add_subcommand("accuracy", "Show what accuracy costs in time on a case");
+    add_case_arguments(*sub, arguments->scenario);
+    sub->get_option("FILE")->required(false);
+    sub->add_option("--target", arguments->target, "Error of the run-out to reach: a share or a length")
+        ->type_name("5%|0.25m")
+        ->capture_default_str()
+        ->group("Ladder");
+    sub->add_option("--budget", arguments->budget_s,
+                    "Time for the ladder; no rung is begun that would exceed it")
+        ->type_name("s")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str()
+        ->group("Ladder");
+    sub->add_option("--finest", arguments->at_least_to,
+                    "sqrt(S)/dl to go on to even if the target is met before, for a better reference")
+        ->type_name("number")
+        ->check(CLI::Range(0, 1000))
+        ->group("Ladder");
+    sub->add_option("--lattices", arguments->lattices,
+                    "Runs on each rung: on the regular lattice and off it at random")
+        ->type_name("number")
+        ->check(CLI::Range(1, 100))
+        ->capture_default_str()
+        ->group("Ladder");
+    sub->add_flag(
+           "--methods", arguments->methods,
+           "Also turn each knob: Courant number, friction iterations, pressure tolerance, smoothing length, "
+           "friction scheme, threads")
+        ->group("Ladder");
+    sub->add_flag("--check", arguments->check,
+                  "Also let settings be chosen for 10, 5 and 2 %, run them, and hold their error bars "
+                  "against the ladder")
+        ->group("Ladder");
+    sub->add_option("--db", arguments->database,
+                    "Database that takes the runs; what it holds is not repeated")
+        ->type_name("PATH")
+        ->capture_default_str()
+        ->group("Output");
+    sub->add_option("--chart", arguments->chart, "Write error against CPU time as an SVG picture")
+        ->type_name("PATH")
+        ->group("Output");
+    sub->add_option("--page", arguments->page,
+                    "Write all studies of the database as a Markdown page, with pictures beside it")
+        ->type_name("PATH")
+        ->group("Output");
+    sub->add_option("--survey", arguments->survey,
+                    "Write the ladders of the database as CSV, the form of src/accuracy/ladders.csv")
+        ->type_name("PATH")
+        ->group("Output");
+    sub->add_flag("--json", arguments->json, "Print the study as one JSON object")->group("Output");
+    sub->add_flag("--quiet", arguments->quiet, "No log but errors")->group("Output");
+    sub->callback([arguments, &command] { command = [arguments] { return accuracy(*arguments); }; });
+}
+
+}  // namespace runout
