@@ -8,7 +8,7 @@
 -- A change of the format raises user_version and adds a step to src/store/migrations.cpp.
 
 PRAGMA application_id = 1381322319;  -- the letters RUNO
-PRAGMA user_version = 6;
+PRAGMA user_version = 7;
 
 -- The ground along a section before the failure. Two files with the same ground share one row, so the name
 -- of the file belongs to the run.
@@ -76,7 +76,7 @@ CREATE TABLE scenario (
     friction_scheme      TEXT NOT NULL CHECK (friction_scheme IN ('projected', 'explicit')),
     friction_iterations  INTEGER NOT NULL,
     pressure_tolerance   REAL NOT NULL,             -- relative residual of the pressure equation
-    time_limit_s         REAL NOT NULL,             -- simulated; 0: 60 sqrt(H/g)
+    time_limit_s         REAL NOT NULL,             -- simulated; 0: 60 sqrt(H/g) or more
     front_thickness_m    REAL NOT NULL,             -- threshold of the contiguous front; 0: from sqrt(S)
     lattice_seed         INTEGER NOT NULL DEFAULT 0,   -- 0: regular lattice; else start off it at random
     snapshot_times_s     TEXT NOT NULL DEFAULT '[]',   -- JSON list of the instants to keep the particles of
@@ -256,6 +256,19 @@ CREATE TABLE phase_time (
     phase_index  INTEGER NOT NULL,      -- its place in the step
     wall_s       REAL,
     PRIMARY KEY (run_id, phase)
+) STRICT, WITHOUT ROWID;
+
+-- How near a run came to violating what must hold in every step; it ends as diverged when worst exceeds limit_value.
+-- Pure numbers; docs/stability.md says of what.
+CREATE TABLE invariant (
+    run_id           INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    invariant        TEXT NOT NULL,
+    invariant_index  INTEGER NOT NULL,
+    worst            REAL,
+    limit_value      REAL NOT NULL,
+    time_s           REAL,              -- of the worst
+    x_m              REAL,              -- where, local frame
+    PRIMARY KEY (run_id, invariant)
 ) STRICT, WITHOUT ROWID;
 
 -- What is said of a run, one row each. For a run that is not a result these are the last readings only.

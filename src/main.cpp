@@ -28,6 +28,7 @@ constexpr const char* examples = R"(Examples:
   runout report runout.db --run 3 -o report.html
   runout compare runout.db --width 20
   runout validate --quick
+  runout stress --scenes 200 --range slope_angle_deg=50:70
   runout help keys
 
 Exit codes: 0 settled or stable, 1 ended otherwise, 2 wrong input (nothing written), 3 internal error,
@@ -95,6 +96,7 @@ int run_program(int argc, char** argv) {
     add_export_command(app, command);
     add_back_analysis_command(app, command);
     add_validate_command(app, command);
+    add_stress_command(app, command);
     add_help_command(app, command);
     try {
         app.parse(argc, argv);

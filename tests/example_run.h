@@ -51,6 +51,7 @@ inline RunResult example_result() {
     result.series = {{0, 0.1, 0.2, 300.3, 0.4, 23750.6}, {0.1, 1.1, 12.7, 280.3, 7.4, 23750.6}};
     result.deposit = {{834510.25, 43.1, 0.3, 0.4}, {834512.75, 41.5, 1.3, 1.4}, {834515.1, 41.4, 0.9, 1.1}};
     result.phases = {{"pressure", 1.5}, {"friction", 0.6}};
+    result.invariants = {{"speed", 0.91, 2.0, 0.31, 1.7}, {"volume", 0.0031, 0.02, 0.47, -0.2}};
     result.snapshots = {{0.25, {1.5F, 2.25F}, {0.5F, 0.1F}, {3.3F, -1.0F}, {0.0F, 7.0F}, {1e5F, 0.3F}},
                         {0.5, {}, {}, {}, {}, {}}};
     result.frames = {

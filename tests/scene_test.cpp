@@ -303,6 +303,20 @@ TEST_F(SceneTest, ASourceNeedsNoFrictionAngle) {
                      {"section.csv", "material.friction_angle_deg", "is missing", "80 deg"});
 }
 
+TEST_F(SceneTest, AMassThatNothingStopsNeedsATimeLimit) {
+    CaseSpec spec = sound_case();
+    spec.material.friction_angle = 0;
+    expect_complaint(input_error([&] { make_scene(spec); }),
+                     {"material.friction_angle_deg", "leaves nothing that would bring the mass to rest",
+                      "run.time_limit_s"});
+    spec.run.time_limit = 1;
+    EXPECT_NO_THROW(make_scene(spec));
+    spec = sound_case();
+    override_value(spec, "effects.base_friction.angle_deg", "0.1", "--set");
+    expect_complaint(input_error([&] { make_scene(spec); }),
+                     {"--set: effects.base_friction.angle_deg = 0.1", "leaves nothing"});
+}
+
 // --- mistakes in the file
 
 TEST_F(SceneTest, MissingAndWrongFiles) {

@@ -370,7 +370,7 @@ std::set<std::string> format_of(SQLite::Database& database) {
     return format;
 }
 
-/// The format as it is now without what versions 4 to 6 added.
+/// The format as it is now without what versions 4 to 7 added.
 void take_back_to_version_three(SQLite::Database& database) {
     database.exec(
         "DROP TABLE study_scenario; DROP TABLE study; DROP VIEW result; DROP VIEW ladder_rung; DROP TABLE "
@@ -392,7 +392,8 @@ void take_back_to_version_one(SQLite::Database& database) {
     take_back_to_version_three(database);
     database.exec(
         "ALTER TABLE run DROP COLUMN line_id; DROP TABLE map_line_point; DROP TABLE map_line_attribute;"
-        "DROP TABLE map_line; DROP TABLE snapshot; DROP TABLE stage; DROP TABLE frame; PRAGMA user_version = "
+        "DROP TABLE map_line; DROP TABLE snapshot; DROP TABLE stage; DROP TABLE frame; DROP TABLE invariant; "
+        "PRAGMA user_version = "
         "1");
     for (const char* column : {"lattice_seed", "snapshot_times_s", "base_friction_angle_deg",
                                "release_layers", "release_layer_width_m", "release_layer_height_m"})
@@ -414,7 +415,7 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     Store store(path, Store::Mode::write);
     SQLite::Database file = raw();
     EXPECT_EQ(format_of(file), wanted);
-    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 6);
+    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 7);
     EXPECT_EQ(store.run(id).appraisal.error_origin, "none");
     EXPECT_TRUE(std::isnan(store.run(id).appraisal.run_out_error_m));
     EXPECT_TRUE(store.ladders().empty());
@@ -424,6 +425,7 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     EXPECT_TRUE(store.snapshots(id).empty());
     EXPECT_TRUE(store.frames(id).empty());
     EXPECT_TRUE(store.stages(id).empty());
+    EXPECT_TRUE(store.invariants(id).empty());
     EXPECT_EQ(count("scenario WHERE lattice_seed = 0 AND snapshot_times_s = '[]'"
                     " AND base_friction_angle_deg IS NULL AND release_layers IS NULL"),
               1);

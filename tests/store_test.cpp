@@ -89,6 +89,16 @@ TEST_F(StoreTest, ReturnsSeriesDepositAndPhasesInTheirOrder) {
         EXPECT_EQ(phases[i].phase, result.phases[i].phase);
         EXPECT_EQ(phases[i].wall_s, result.phases[i].wall_s);
     }
+
+    const auto invariants = store.invariants(run_id);
+    ASSERT_EQ(invariants.size(), result.invariants.size());
+    for (std::size_t i = 0; i < invariants.size(); ++i) {
+        EXPECT_EQ(invariants[i].invariant, result.invariants[i].invariant);
+        EXPECT_EQ(invariants[i].worst, result.invariants[i].worst);
+        EXPECT_EQ(invariants[i].limit, result.invariants[i].limit);
+        EXPECT_EQ(invariants[i].time_s, result.invariants[i].time_s);
+        EXPECT_EQ(invariants[i].x_m, result.invariants[i].x_m);
+    }
 }
 
 TEST_F(StoreTest, StoresTheScenarioThatWasAsked) {
@@ -526,7 +536,7 @@ TEST_F(StoreTest, MarksTheFileAsItsOwn) {
     add(example_scene(), example_result());
     SQLite::Database database = raw();
     EXPECT_EQ(database.execAndGet("PRAGMA application_id").getInt(), 0x52554E4F);  // RUNO
-    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 6);
+    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 7);
     EXPECT_EQ(database.execAndGet("PRAGMA journal_mode").getString(), "delete");
     EXPECT_EQ(database.execAndGet("PRAGMA integrity_check").getString(), "ok");
     EXPECT_EQ(count("pragma_foreign_key_check"), 0);

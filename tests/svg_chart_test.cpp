@@ -52,8 +52,8 @@ Figure figure_of(std::vector<Curve> curves) {
             .curves = std::move(curves)};
 }
 
-Range range(double low, double high) {
-    Range result;
+AxisRange range(double low, double high) {
+    AxisRange result;
     result.include(low);
     result.include(high);
     return result;

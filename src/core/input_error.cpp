@@ -5,6 +5,16 @@
 namespace runout {
 namespace {
 
+/// What a user gave may hold anything; a message is one line of text, and no zero byte ends it early.
+std::string printable(const std::string& text) {
+    std::string shown;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        shown += byte < 0x20 || byte == 0x7F ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+    }
+    return shown;
+}
+
 std::string sentence(const InputPlace& place, const std::string& problem, const std::string& valid) {
     std::string text = place.file;
     if (place.line > 0) text += fmt::format("{}line {}", text.empty() ? "" : ", ", place.line);
@@ -13,7 +23,7 @@ std::string sentence(const InputPlace& place, const std::string& problem, const 
     if (!text.empty()) text += ": ";
     text += problem;
     if (!valid.empty()) text += "; " + valid;
-    return text;
+    return printable(text);
 }
 
 }  // namespace

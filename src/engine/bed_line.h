@@ -21,6 +21,10 @@ class BedLine {
     /// Nearest point among the segments within `reach` of `segment` (chain order).
     [[nodiscard]] Nearest nearest(const Vec2& point, int segment, int reach) const;
 
+    /// For a point away from the bed: found below an open chain, and nothing near (distance 0) above it.
+    /// Finds the segment by bisection.
+    [[nodiscard]] Nearest below(double x, double y) const;
+
     [[nodiscard]] int segments() const {
         return static_cast<int>(closed_ ? points_.size() : points_.size() - 1);
     }

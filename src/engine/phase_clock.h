@@ -6,7 +6,7 @@
 namespace runout {
 
 /// Parts of a step whose time is taken.
-enum class Phase { equilibrium, neighbours, friction, pressure, motion, count };
+enum class Phase { equilibrium, neighbours, friction, pressure, motion, judgement, count };
 
 constexpr const char* to_string(Phase phase) {
     switch (phase) {
@@ -20,6 +20,8 @@ constexpr const char* to_string(Phase phase) {
             return "pressure";
         case Phase::motion:
             return "motion";
+        case Phase::judgement:
+            return "judgement";
         case Phase::count:
             break;
     }

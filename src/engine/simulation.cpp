@@ -9,19 +9,14 @@
 #include "engine/bed_shape.h"
 #include "engine/operators.h"
 #include "engine/parallel.h"
+#include "scene/rest_check.h"
 
 namespace runout {
 namespace {
 
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
-constexpr double speed_tolerance =
-    2.0;  // over free fall from the top of the source: jets of an impact exceed 1
-constexpr double energy_tolerance = 0.02;  // rise of mechanical energy, share of M g H
-constexpr double rest_energy = 1e-5;       // energy of the mean motion at rest, share of M g sqrt(S)
-constexpr double rest_window = 0.5;        // over which the motion is averaged, in sqrt(sqrt(S)/g)
-constexpr int rest_windows = 4;            // in a row, to end the run
-constexpr double standing_spacings = 2.0;  // a lattice that finds its rest moves by up to one
+constexpr double standing_spacings = 2.0;      // a lattice that finds its rest moves by up to one
 constexpr int equilibrium_rounds = 200;
 constexpr int equilibrium_iterations = 20;
 constexpr double equilibrium_change = 5e-4;  // of the acceleration between two rounds, in g, root mean square
@@ -42,6 +37,11 @@ double highest(const Polygon& points) {
     double y = points.front().y();
     for (const Vec2& p : points) y = std::max(y, p.y());
     return y;
+}
+
+/// A mass that slides on with the speed of its fall H needs sqrt(2 H/g) / strength to stop.
+double time_to_stop(double height, double gravity, double strength) {
+    return std::max(60.0, 6.0 / std::max(strength, 0.01)) * std::sqrt(height / gravity);
 }
 
 double spacing_of(const Scene& scene) {
@@ -69,8 +69,12 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
       time_scale_(std::sqrt(length_scale_ / scene.run.gravity)),
       floor_(lowest(bed_.points())),
       height_(highest(scene.source.outline) - floor_),
-      time_limit_(scene.run.time_limit > 0 ? scene.run.time_limit
-                                           : 60.0 * std::sqrt(height_ / scene.run.gravity)),
+      time_limit_(scene.run.time_limit > 0
+                      ? scene.run.time_limit
+                      : time_to_stop(height_, run_.gravity, least_strength(material_, effects_))),
+      invariants_({run_.gravity, height_, discretisation_.spacing, discretisation_.density, run_.courant,
+                   tension_cut_off(material_, effects_)}),
+      rest_(run_.gravity, length_scale_),
       soil_(soil_at(packing.x, packing.y)),
       wall_(make_wall(bed_, discretisation_)),
       search_(discretisation_, threads_),
@@ -80,9 +84,9 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
                 scene.run, threads_),
       pressure_(discretisation_, scene.run.gravity, length_scale_, scene.run.pressure_tolerance, threads_) {
     for (std::size_t i = 0; i < packing.x.size(); ++i) start_.emplace_back(packing.x[i], packing.y[i]);
-    mark_ = start_;
     release_head_ = *std::min_element(packing.x.begin(), packing.x.end()) - 0.5 * packing.spacing;
     set_up_effects();
+    rest_.start(soil_, 0.0);
     make_room();
     release_ax_.assign(soil_.count, 0.0);
     release_ay_.assign(soil_.count, 0.0);
@@ -138,19 +142,22 @@ void Simulation::step() {
     if (effects_.side_walls) brake(dt);
     move(dt);
     if (effects_.cohesion && effects_.cohesion->strength > 0.0) even_out();
-    guard_wall();
+    StepFacts facts = guard_wall(dt);
     if (barrier_) measure_barrier(dt);
     if (effects_.erodible_bed) note_moved_layer();
-    clock_.leave();
+    highest_pressure_ = solve.highest;
 
     time_ += dt;
     ++work_.steps;
     work_.particle_steps += soil_.count;
     work_.pressure_iterations += solve.iterations;
-    highest_pressure_ = solve.highest;
     unconverged_in_a_row_ = solve.converged ? 0 : unconverged_in_a_row_ + 1;
     work_.unconverged_solves += solve.converged ? 0 : 1;
-    judge();
+    clock_.enter(Phase::judgement);
+    facts.dt = dt;
+    facts.unconverged = unconverged_in_a_row_;
+    judge(facts);
+    clock_.leave();
 }
 
 /// Friction and pressure. On return the predicted velocity and the pressure gradient are there for the
@@ -167,13 +174,15 @@ PressureSolve Simulation::resist(double dt) {
 
 /// The least of three limits: the Courant step of eq. 6; the same for the speed that gravity adds within the
 /// step; and the passage of a pressure wave, since the lattice of particles answers a change of pressure
-/// explicitly: without this one a pile at rest fluidises. Lone grains do not set the pace for all.
+/// explicitly: without this one a pile at rest fluidises. Lone grains, whose flight takes no small steps, do
+/// not set the pace for all: they may go a whole spacing.
 double Simulation::choose_time_step() {
+    const double lone2 = run_.courant * run_.courant;
     const double speed2 = max_pieces(soil_.count, threads_, partial_, [&](int first, int last) {
         double greatest = 0.0;
         for (int i = first; i < last; ++i) {
-            if (in_body(i))
-                greatest = std::max(greatest, soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i]);
+            const double v2 = soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i];
+            greatest = std::max(greatest, in_body(i) ? v2 : lone2 * v2);
         }
         return greatest;
     });
@@ -222,6 +231,7 @@ void Simulation::correct(double dt) {
             const double mean_y = 0.5 * (vy + soil_.vy[i]);
             work.friction -= fx * mean_x + fy * mean_y;
             work.pressure += px * mean_x + py * mean_y;
+            work.integration += dt * run_.gravity * (mean_y - vy);
             work.momentum_x += mean_x;
             work.momentum_y += mean_y;
             soil_.vx[i] = vx;
@@ -232,27 +242,19 @@ void Simulation::correct(double dt) {
     const StepWork work = sum_pieces(soil_.count, threads_, partial_work_, update);
     friction_work_ += discretisation_.mass() * work.friction;
     pressure_work_ += discretisation_.mass() * work.pressure;
+    numerical_work_ += discretisation_.mass() * work.integration;
     // What gravity gives is potential energy; what the ground's motion gives comes on top.
     shaking_work_ += discretisation_.mass() *
                      (gain.x() * work.momentum_x + (gain.y() + dt * run_.gravity) * work.momentum_y);
 }
 
-/// x += dt v^{n+1}: the mean of old and new velocity collapses the pile. A lone grain moves one spacing at
-/// most.
+/// x += dt v^{n+1}: the mean of old and new velocity collapses the pile.
 void Simulation::move(double dt) {
-    const double limit = discretisation_.spacing;
     const double highest = max_pieces(soil_.count, threads_, partial_, [&](int first, int last) {
         double density = 0.0;
         for (int i = first; i < last; ++i) {
-            double dx = dt * soil_.vx[i];
-            double dy = dt * soil_.vy[i];
-            const double size2 = dx * dx + dy * dy;
-            if (size2 > limit * limit) {
-                dx *= limit / std::sqrt(size2);
-                dy *= limit / std::sqrt(size2);
-            }
-            soil_.x[i] += dx;
-            soil_.y[i] += dy;
+            soil_.x[i] += dt * soil_.vx[i];
+            soil_.y[i] += dt * soil_.vy[i];
             density = std::max(density, neighbours_.density[i]);
         }
         return density;
@@ -261,30 +263,46 @@ void Simulation::move(double dt) {
 }
 
 /// No particle beyond the bed line: it is put back by at most half a spacing, and its velocity into the bed
-/// ends.
-void Simulation::guard_wall() {
+/// ends. Says how many were driven in and how deep the deepest still is.
+StepFacts Simulation::guard_wall(double dt) {
+    StepFacts facts;
+    // A grain that lies on the line without a neighbour to carry it falls this far from rest: no defect.
+    const double harmless = 0.01 * discretisation_.spacing + run_.gravity * dt * dt;
     for (int i = 0; i < soil_.count; ++i) {
         const int boundary = neighbours_.nearest_boundary[i];
-        if (boundary < 0) continue;
-        const BedLine::Nearest near = bed_.nearest({soil_.x[i], soil_.y[i]}, wall_.segment[boundary], 8);
+        const BedLine::Nearest near =
+            boundary < 0 ? bed_.below(soil_.x[i], soil_.y[i])
+                         : bed_.nearest({soil_.x[i], soil_.y[i]}, wall_.segment[boundary], 8);
         if (near.distance >= 0.0) continue;
         const double back = std::min(-near.distance, 0.5 * discretisation_.spacing);
-        soil_.x[i] += back * near.normal.x();
-        soil_.y[i] += back * near.normal.y();
-        const Vec2 v{soil_.vx[i], soil_.vy[i]};
-        const double inward = std::max(0.0, -v.dot(near.normal));
-        const Vec2 slip = v - v.dot(near.normal) * near.normal;
-        const double speed = slip.norm();
-        const double kept =
-            speed > 0.0 ? std::max(0.0, 1.0 - friction_.yield().base_ratio(boundary) * inward / speed) : 0.0;
-        soil_.vx[i] = kept * slip.x() + std::max(0.0, v.dot(near.normal)) * near.normal.x();
-        soil_.vy[i] = kept * slip.y() + std::max(0.0, v.dot(near.normal)) * near.normal.y();
-        if (barrier_)
-            barrier_->add_guard_impulse(near.segment,
-                                        discretisation_.mass() * (v - Vec2{soil_.vx[i], soil_.vy[i]}));
-        // A lone grain that lies on the line is no defect; one that was driven in is.
-        if (back > 0.01 * discretisation_.spacing) ++work_.wall_guard_activations;
+        const Vec2 taken = push_back(i, back, near.normal);
+        if (barrier_) barrier_->add_guard_impulse(near.segment, discretisation_.mass() * taken);
+        if (back > harmless) ++facts.driven_in;
+        if (-near.distance - back > facts.greatest_depth) {
+            facts.greatest_depth = -near.distance - back;
+            facts.depth_x = soil_.x[i];
+        }
     }
+    work_.wall_guard_activations += facts.driven_in;
+    return facts;
+}
+
+/// Returns the change of velocity that the bed took.
+Vec2 Simulation::push_back(int i, double distance, const Vec2& normal) {
+    const Vec2 v{soil_.vx[i], soil_.vy[i]};
+    const double inward = std::max(0.0, -v.dot(normal));
+    const Vec2 slip = v - v.dot(normal) * normal;
+    const double speed = slip.norm();
+    const double strength = base_strength_ratio(material_, effects_, soil_.x[i]);
+    const double kept = speed > 0.0 ? std::max(0.0, 1.0 - strength * inward / speed) : 0.0;
+    const Vec2 left = kept * slip + std::max(0.0, v.dot(normal)) * normal;
+    soil_.x[i] += distance * normal.x();
+    soil_.y[i] += distance * normal.y();
+    soil_.vx[i] = left.x();
+    soil_.vy[i] = left.y();
+    guard_work_ += discretisation_.mass() *
+                   (0.5 * (v.squaredNorm() - left.squaredNorm()) - run_.gravity * distance * normal.y());
+    return v - left;
 }
 
 void Simulation::end(RunStatus status, std::string detail) {
@@ -292,36 +310,21 @@ void Simulation::end(RunStatus status, std::string detail) {
     detail_ = std::move(detail);
 }
 
-/// A run whose numbers can no longer be true ends here, with the name of what was violated, when and where.
-void Simulation::check_invariants() {
-    const double shaken = std::max(0.0, shaking_work_) / (discretisation_.mass() * soil_.count);
-    const double fastest2 = std::pow(speed_tolerance, 2) * 2.0 * (run_.gravity * height_ + shaken);
-    double energy = 0.0;  // per mass and particle
-    for (int i = 0; i < soil_.count; ++i) {
-        const double speed2 = soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i];
-        energy += 0.5 * speed2 + run_.gravity * soil_.y[i];
-        const bool too_fast = in_body(i) && speed2 > fastest2;
-        if (std::isfinite(speed2) && !too_fast) continue;
-        return end(
-            RunStatus::diverged,
-            fmt::format(
-                "speed of {:.3g} m/s is twice that of free fall from the top of the source at t = {:.4g} s, "
-                "x = {:.4g} m past the toe",
-                std::sqrt(speed2), time_, soil_.x[i]));
-    }
-    energy /= soil_.count;
-    if (!energy_marked_) start_energy_ = energy;
-    energy_marked_ = true;
-    if (energy > start_energy_ + shaken + energy_tolerance * run_.gravity * height_) {
-        end(RunStatus::diverged,
-            fmt::format("mechanical energy rose above its start at t = {:.4g} s", time_));
-    }
-}
-
 /// Ends the run at rest, at the time limit, or with the name of what went wrong.
-void Simulation::judge() {
-    check_invariants();
-    if (status_ != RunStatus::running) return;
+void Simulation::judge(StepFacts& facts) {
+    facts.time = time_;
+    const double mass = discretisation_.mass() * soil_.count;
+    facts.work_done =
+        (friction_work_ - pressure_work_ + guard_work_ + side_wall_work_ + numerical_work_) / mass;
+    facts.work_supplied = shaking_work_ / mass;
+    invariants_.observe(soil_, neighbours_.density, facts);
+    const InvariantReading& residual = invariants_.readings()[static_cast<std::size_t>(Invariant::residual)];
+    if (residual.worst > residual.limit) {
+        return end(
+            RunStatus::not_converged,
+            fmt::format("the pressure equation missed its tolerance in 20 steps up to t = {:.4g} s", time_));
+    }
+    if (invariants_.violation()) return end(RunStatus::diverged, *invariants_.violation());
     const double first = bed_.points().front().x();
     const double last = bed_.points().back().x();
     for (int i = 0; i < soil_.count; ++i) {
@@ -332,13 +335,8 @@ void Simulation::judge() {
                             soil_.x[i] < first ? "uphill" : "distal", time_));
         }
     }
-    if (time_ - mark_time_ >= rest_window * time_scale_) close_rest_window();
-    if (resting_windows_ >= rest_windows) return end_at_rest();
-    if (unconverged_in_a_row_ > 20) {
-        return end(
-            RunStatus::not_converged,
-            fmt::format("the pressure equation missed its tolerance in 20 steps up to t = {:.4g} s", time_));
-    }
+    rest_.observe(soil_, time_);
+    if (rest_.at_rest()) return end_at_rest();
     if (time_ - stage_start_ >= time_limit_) {
         end(RunStatus::time_limit, fmt::format("still moving at the time limit of {:.4g} s", time_limit_));
     }
@@ -375,27 +373,9 @@ void Simulation::release_layer() {
         for (int j = 0; j < rows; ++j)
             layer.emplace_back(release_head_ + (i + 0.5) * dl, top + (j + 1.0) * dl);
     }
-    add_soil(layer);
     height_ = std::max(height_, top + (rows + 0.5) * dl - floor_);
+    add_soil(layer);
     ++layers_released_;
-}
-
-/// Judges the motion by how far the particles got since the window opened, so that the trembling of lone
-/// grains, which leads nowhere, does not count.
-void Simulation::close_rest_window() {
-    const double duration = time_ - mark_time_;
-    double moved2 = 0.0;
-    for (int i = 0; i < soil_.count; ++i) {
-        Vec2& mark = mark_[soil_.id[i]];
-        const Vec2 now{soil_.x[i], soil_.y[i]};
-        moved2 += (now - mark).squaredNorm();
-        mark = now;
-    }
-    const double energy = 0.5 * moved2 / (soil_.count * duration * duration);  // per mass
-    const bool resting = energy < rest_energy * run_.gravity * length_scale_;
-    resting_windows_ = resting ? resting_windows_ + 1 : 0;
-    if (!resting) last_motion_ = time_;
-    mark_time_ = time_;
 }
 
 double Simulation::greatest_displacement() const {
@@ -404,10 +384,6 @@ double Simulation::greatest_displacement() const {
         moved2 = std::max(moved2, (Vec2{soil_.x[i], soil_.y[i]} - start_[soil_.id[i]]).squaredNorm());
     }
     return std::sqrt(moved2);
-}
-
-double Simulation::rested() const {
-    return static_cast<double>(resting_windows_) / rest_windows;
 }
 
 StateView Simulation::state() const {
@@ -444,7 +420,7 @@ Vec2 Simulation::bed_force() const {
 }
 
 EnergyBudget Simulation::energy() const {
-    EnergyBudget budget{0, 0, friction_work_, pressure_work_, shaking_work_, side_wall_work_};
+    EnergyBudget budget{0, 0, friction_work_, pressure_work_, guard_work_, shaking_work_, side_wall_work_};
     for (int i = 0; i < soil_.count; ++i) {
         budget.kinetic += 0.5 * (soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i]);
         budget.potential += run_.gravity * soil_.y[i];

@@ -9,11 +9,13 @@
 #include "engine/bed_line.h"
 #include "engine/friction.h"
 #include "engine/ground_motion.h"
+#include "engine/invariants.h"
 #include "engine/neighbours.h"
 #include "engine/packing.h"
 #include "engine/phase_clock.h"
 #include "engine/pore_pressure.h"
 #include "engine/pressure_solver.h"
+#include "engine/rest_watch.h"
 #include "engine/soil.h"
 #include "engine/state_view.h"
 #include "engine/status.h"
@@ -40,6 +42,7 @@ struct EnergyBudget {
     double potential = 0;      ///< above the toe
     double friction_work = 0;  ///< taken from the motion by friction since release
     double pressure_work = 0;  ///< given to the motion by pressure since release: the error of the projection
+    double guard_work = 0;     ///< taken from the motion at the bed line since release
     double shaking_work = 0;   ///< given to the motion by the acceleration of the ground since release
     double side_wall_work = 0;  ///< taken from the motion by side walls since release
 };
@@ -50,13 +53,15 @@ struct EffectCost {
     double seconds = 0;
 };
 
-/// What friction took and pressure gave within one step, per mass of one particle, J/kg; and its momentum.
+/// What friction took, pressure gave, and the integration in time lost within one step, per mass of one
+/// particle, J/kg; and its momentum.
 struct StepWork {
-    double friction = 0, pressure = 0;
+    double friction = 0, pressure = 0, integration = 0;
     double momentum_x = 0, momentum_y = 0;
     StepWork& operator+=(const StepWork& other) {
         friction += other.friction;
         pressure += other.pressure;
+        integration += other.integration;
         momentum_x += other.momentum_x;
         momentum_y += other.momentum_y;
         return *this;
@@ -80,9 +85,9 @@ class Simulation {
     [[nodiscard]] double time() const { return time_; }
     [[nodiscard]] double time_limit() const { return time_limit_; }
     /// Last instant at which the mass was still moving, s.
-    [[nodiscard]] double motion_ended() const { return last_motion_; }
+    [[nodiscard]] double motion_ended() const { return rest_.motion_ended(); }
     /// Share of the time that the mass must rest before the run ends, 0 while it moves.
-    [[nodiscard]] double rested() const;
+    [[nodiscard]] double rested() const { return rest_.progress(); }
     /// False while the state of stress at release is still sought.
     [[nodiscard]] bool released() const { return released_; }
     /// All soil of a staged release let go so far is at rest; the next step lets go the next layer.
@@ -103,6 +108,8 @@ class Simulation {
     [[nodiscard]] const WorkCounts& work() const { return work_; }
     [[nodiscard]] const PhaseClock& clock() const { return clock_; }
     [[nodiscard]] const Wall& wall() const { return wall_; }
+    /// How near the run came to violating what must always hold.
+    [[nodiscard]] const InvariantReadings& invariants() const { return invariants_.readings(); }
     [[nodiscard]] int threads() const { return threads_; }
     /// Time of free fall through sqrt(S), s: the unit of the rest criterion.
     [[nodiscard]] double time_scale() const { return time_scale_; }
@@ -128,10 +135,9 @@ class Simulation {
     PressureSolve resist(double dt);
     void correct(double dt);
     void move(double dt);
-    void guard_wall();
-    void check_invariants();
-    void judge();
-    void close_rest_window();
+    StepFacts guard_wall(double dt);
+    Vec2 push_back(int i, double distance, const Vec2& normal);
+    void judge(StepFacts& facts);
     void end_at_rest();
     void release_layer();
     [[nodiscard]] double greatest_displacement() const;
@@ -153,6 +159,8 @@ class Simulation {
     double height_;  ///< of the source above the lowest bed, m
     double time_limit_;
 
+    InvariantWatch invariants_;
+    RestWatch rest_;
     Soil soil_;
     Wall wall_;
     NeighbourSearch search_;
@@ -174,7 +182,6 @@ class Simulation {
     std::vector<double> partial_;
     std::vector<StepWork> partial_work_;
     std::vector<Vec2> start_;  ///< positions at release, by id
-    std::vector<Vec2> mark_;   ///< positions when the rest window opened, by id
 
     bool released_ = false;
     int balance_rounds_ = 0;
@@ -188,15 +195,13 @@ class Simulation {
 
     double time_ = 0;
     double highest_pressure_ = 0;
-    double start_energy_ = 0;  ///< at the last release, per mass, J/kg
-    bool energy_marked_ = false;
-    double last_motion_ = 0;
-    double mark_time_ = 0;
-    int resting_windows_ = 0;
     double friction_work_ = 0;
     double pressure_work_ = 0;
+    double guard_work_ = 0;
     double shaking_work_ = 0;
     double side_wall_work_ = 0;
+    double numerical_work_ = 0;  ///< lost because gravity acts on the mean velocity and moves with the new
+                                 ///< one, and where particles are shifted
     int unconverged_in_a_row_ = 0;
     WorkCounts work_;
     RunStatus status_ = RunStatus::running;

@@ -38,7 +38,6 @@ void Simulation::set_up_effects() {
         end_layer_id_ = first_layer_id_ + static_cast<int>(points.size());
         append_soil(soil_, points);
         start_.insert(start_.end(), points.begin(), points.end());
-        mark_ = start_;
         layer_moved_.assign(points.size(), 0);
     }
     if (effects_.pore_pressure)
@@ -84,6 +83,7 @@ void Simulation::even_out() {
         if (size > most) step *= most / size;
         soil_.x[i] += step.x();
         soil_.y[i] += step.y();
+        numerical_work_ -= discretisation_.mass() * run_.gravity * step.y();
     }
 }
 
@@ -129,13 +129,11 @@ std::vector<double> Simulation::strain_rate() const {
 void Simulation::add_soil(const std::vector<Vec2>& points) {
     append_soil(soil_, points);
     start_.insert(start_.end(), points.begin(), points.end());
-    mark_.insert(mark_.end(), points.begin(), points.end());
     if (pore_water_) pore_water_->append(points);
     make_room();
-    resting_windows_ = 0;
-    mark_time_ = time_;
+    rest_.start(soil_, time_);
+    invariants_.restart(height_);
     stage_start_ = time_;
-    energy_marked_ = false;
     stage_ended_ = false;
 }
 

@@ -5,18 +5,21 @@
 
 namespace runout {
 
+double base_strength_ratio(const Material& material, const Effects& effects, double x) {
+    const double own = std::sin(material.friction_angle);
+    if (!effects.base_friction) return own;
+    double angle = effects.base_friction->angle;
+    for (const FrictionRange& range : effects.base_friction->ranges)
+        if (x >= range.from && x < range.to) angle = range.angle;
+    return std::isnan(angle) ? own : std::min(own, std::tan(angle));
+}
+
 std::vector<double> base_strength_ratios(const Material& material, const Effects& effects, const Wall& wall) {
     if (!effects.base_friction) return {};
-    const BaseFriction& base = *effects.base_friction;
-    const double own = std::sin(material.friction_angle);
-    const auto at = [&](double x) {
-        double angle = base.angle;
-        for (const FrictionRange& range : base.ranges)
-            if (x >= range.from && x < range.to) angle = range.angle;
-        return std::isnan(angle) ? own : std::min(own, std::tan(angle));
-    };
     std::vector<double> ratios;
-    for (int b = 0; b < wall.boundary_count; ++b) ratios.push_back(at(wall.x[b]));
+    for (int b = 0; b < wall.boundary_count; ++b)
+        ratios.push_back(base_strength_ratio(material, effects, wall.x[b]));
+    const double own = std::sin(material.friction_angle);
     const bool rough = std::all_of(ratios.begin(), ratios.end(), [=](double ratio) { return ratio == own; });
     if (rough) ratios.clear();
     return ratios;

@@ -9,8 +9,11 @@
 
 namespace runout {
 
-/// Strength on the bed over the effective pressure per boundary particle: tan(delta) where that is less than
-/// sin(phi), else sin(phi). Empty where the whole bed is rough.
+/// Strength on the bed over the effective pressure at x: tan(delta) where that is less than sin(phi), else
+/// sin(phi).
+double base_strength_ratio(const Material& material, const Effects& effects, double x);
+
+/// The same per boundary particle. Empty where the whole bed is rough.
 std::vector<double> base_strength_ratios(const Material& material, const Effects& effects, const Wall& wall);
 
 /// Greatest mean tension that the soil bears, Pa: as given, or that of uniaxial tension at yield,
@@ -32,10 +35,6 @@ class YieldStrength {
               std::vector<float>& strength) const;
 
     [[nodiscard]] bool depends_on_rate() const { return rate_.has_value(); }
-    /// Of a grain that slides on this boundary particle, over the force that presses it there.
-    [[nodiscard]] double base_ratio(int boundary) const {
-        return base_ratios_.empty() ? sin_phi_ : base_ratios_[static_cast<std::size_t>(boundary)];
-    }
 
   private:
     [[nodiscard]] double friction(double effective_pressure, double strain_rate) const;

@@ -167,6 +167,15 @@ struct PhaseTime {
     double wall_s = 0;
 };
 
+/// How near the run came to violating one of the invariants of the engine (engine/invariants.h).
+struct InvariantRow {
+    std::string invariant;
+    double worst = 0;  ///< pure number; the run ends as `diverged` when it exceeds the limit
+    double limit = 0;
+    double time_s = 0;  ///< of the worst
+    double x_m = 0;     ///< local frame
+};
+
 /// Everything that is stored of a run.
 struct RunResult {
     RunStatus status = RunStatus::running;
@@ -176,6 +185,7 @@ struct RunResult {
     std::vector<SeriesRow> series;
     std::vector<DepositRow> deposit;
     std::vector<PhaseTime> phases;
+    std::vector<InvariantRow> invariants;
     std::vector<Snapshot> snapshots;
     std::vector<Frame> frames;     ///< empty unless asked for in RunControl
     std::vector<StageRow> stages;  ///< empty unless the release is staged

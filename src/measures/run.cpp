@@ -248,6 +248,11 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
         result.phases.push_back(
             {to_string(static_cast<Phase>(p)), simulation.clock().seconds(static_cast<Phase>(p))});
     }
+    for (int k = 0; k < static_cast<int>(Invariant::count); ++k) {
+        const InvariantReading& reading = simulation.invariants()[static_cast<std::size_t>(k)];
+        result.invariants.push_back(
+            {to_string(static_cast<Invariant>(k)), reading.worst, reading.limit, reading.time, reading.x});
+    }
     result.work.peak_memory_mb = memory.megabytes();
     result.work.wall_s = seconds_since(start);
     // A run of one thread may have others beside it in the same program.

@@ -16,6 +16,10 @@ constexpr double nearly_vertical = radians(85.0);
 constexpr double flattest_face = radians(15.0);
 constexpr double wall_threshold = radians(45.0);
 
+// More is a slip: the earth is smaller. Nearer points would be one after the origin is moved to the toe.
+constexpr double farthest_m = 1e8;
+constexpr double nearest_m = 1e-7;
+
 constexpr const char* toe_key = "section.toe_chainage_m";
 constexpr const char* crest_key = "section.crest_chainage_m";
 
@@ -35,13 +39,16 @@ void check_point(const Section& s, std::size_t i) {
     if (!p.allFinite())
         throw InputError(s.place(i, "chainage_m, elevation_m", std::isfinite(p.x()) ? p.y() : p.x()),
                          "is not a finite number", "give metres, such as 12.5");
+    if (std::max(std::abs(p.x()), std::abs(p.y())) > farthest_m)
+        throw InputError(s.place(i, "chainage_m, elevation_m", std::abs(p.x()) > farthest_m ? p.x() : p.y()),
+                         "is out of range", fmt::format("give metres up to {:g} of either sign", farthest_m));
     if (i == 0) return;
     const Vec2& before = s.points[i - 1];
     if (p.x() < before.x())
         throw InputError(s.place(i, "chainage_m", p.x()),
                          fmt::format("goes back behind {:.12g}, which is an overhang", before.x()),
                          "list the points so that the chainage never decreases");
-    if (p == before)
+    if ((p - before).norm() < nearest_m)
         throw InputError(s.place(i, "chainage_m", p.x()), "repeats the point before it",
                          "give each point once; a vertical face is two points with different elevations");
 }
@@ -109,14 +116,24 @@ void require_on_section(const Polyline& ground, double x, const char* key, doubl
                      fmt::format("give a chainage between {:.12g} and {:.12g}", low, high));
 }
 
-/// Makes sure the ground has a point at x.
-void insert_point(Polyline& ground, double x) {
+/// A coordinate of almost nothing is nothing: exact arithmetic on numbers near the smallest double leaves its
+/// intervals.
+Vec2 without_dust(const Vec2& p) {
+    constexpr double dust_m = 1e-12;
+    return {std::abs(p.x()) < dust_m ? 0.0 : p.x(), std::abs(p.y()) < dust_m ? 0.0 : p.y()};
+}
+
+/// Makes sure the ground has a point at x, and returns where: an old point that is as good as there stays the
+/// only one.
+double insert_point(Polyline& ground, double x) {
     const auto at = std::ranges::lower_bound(ground, x, {}, [](const Vec2& p) { return p.x(); });
-    if (at->x() == x) return;
+    if (at->x() < x + nearest_m) return at->x();
     const Vec2& a = *(at - 1);
+    if (a.x() > x - nearest_m) return a.x();
     const Vec2& b = *at;
     const Vec2 inserted(x, a.y() + (b.y() - a.y()) * ((x - a.x()) / (b.x() - a.x())));
     ground.insert(at, inserted);
+    return x;
 }
 
 std::size_t first_at(const Polyline& ground, double x) {
@@ -182,14 +199,14 @@ Profile make_profile(const std::vector<Vec2>& points, const std::vector<int>& li
 
     Polyline ground = turned_downhill(section, profile.descends_with_chainage);
     const double sign = profile.descends_with_chainage ? 1.0 : -1.0;
-    const double toe_x = sign * options.toe_chainage_m;
-    const double crest_x = sign * options.crest_chainage_m;
+    double toe_x = sign * options.toe_chainage_m;
+    double crest_x = sign * options.crest_chainage_m;
     const bool toe_given = !std::isnan(toe_x);
     const bool crest_given = !std::isnan(crest_x);
     if (toe_given) require_on_section(ground, toe_x, toe_key, options.toe_chainage_m, file);
     if (crest_given) require_on_section(ground, crest_x, crest_key, options.crest_chainage_m, file);
-    if (toe_given) insert_point(ground, toe_x);
-    if (crest_given) insert_point(ground, crest_x);
+    if (toe_given) toe_x = insert_point(ground, toe_x);
+    if (crest_given) crest_x = insert_point(ground, crest_x);
 
     const double threshold = face_threshold(ground);
     const std::size_t least = crest_given ? first_at(ground, crest_x) : 0;
@@ -199,7 +216,7 @@ Profile make_profile(const std::vector<Vec2>& points, const std::vector<int>& li
     const Vec2 toe = ground[profile.toe];
     profile.toe_chainage_m = sign * toe.x() + 0.0;  // + 0.0: a mirrored zero is not to print as -0
     profile.toe_elevation_m = toe.y();
-    for (Vec2& p : ground) p -= toe;
+    for (Vec2& p : ground) p = without_dust(p - toe);
     profile.ground = std::move(ground);
     return profile;
 }

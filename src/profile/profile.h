@@ -57,8 +57,8 @@ struct ProfileOptions {
 /// from its higher end to its lower one, or from a given crest to a given toe; a flat one runs out with the
 /// chainage. `lines[i]` is the line of points[i] in `file` for error messages (may be empty). Of three or
 /// more points of one vertical face the inner ones are dropped. Throws InputError: fewer than two points, a
-/// coordinate that is not finite, overhang, repeated point, a step up and down at one chainage, no descent,
-/// toe or crest not on the section.
+/// coordinate that is not finite or beyond 1e8 m, overhang, repeated point (within 1e-7 m), a step up and
+/// down at one chainage, no descent, toe or crest not on the section.
 Profile make_profile(const std::vector<Vec2>& points, const std::vector<int>& lines, const std::string& file,
                      const ProfileOptions& options);
 

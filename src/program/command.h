@@ -33,6 +33,7 @@ void add_compare_command(CLI::App& app, Command& command);
 void add_export_command(CLI::App& app, Command& command);
 void add_back_analysis_command(CLI::App& app, Command& command);
 void add_validate_command(CLI::App& app, Command& command);
+void add_stress_command(CLI::App& app, Command& command);
 void add_help_command(CLI::App& app, Command& command);
 
 }  // namespace runout

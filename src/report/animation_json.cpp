@@ -69,7 +69,7 @@ double shown_size(const RunData& run) {
 
 std::string animation_json(const RunData& run, std::size_t most_bytes) {
     if (run.frames.empty() || run.frames.back().x.empty()) return {};
-    const SectionView view = section_view(run);
+    const SectionWindow view = section_view(run);
     const FrameScale& scale = run.frames.front().scale;
     const Json json = {{"view", {view.low.x(), view.low.y(), view.high.x(), view.high.y()}},
                        {"bed", points(clipped(run.geometry.bed, view.low.x(), view.high.x()))},

@@ -21,7 +21,7 @@ double nice_step(double least) {
     return 10.0 * decade;
 }
 
-double step_for(const Range& range, int tick_count) {
+double step_for(const AxisRange& range, int tick_count) {
     return nice_step(range.length() / std::max(1, tick_count));
 }
 
@@ -53,14 +53,14 @@ std::vector<double> around(const std::vector<double>& ticks, double low, double 
 
 }  // namespace
 
-void Range::include(double value) {
+void AxisRange::include(double value) {
     const bool first = empty();
     low_ = first ? value : std::min(low_, value);
     high_ = first ? value : std::max(high_, value);
 }
 
-Range Range::widened_to(double length) const {
-    Range wide;
+AxisRange AxisRange::widened_to(double length) const {
+    AxisRange wide;
     const double middle = 0.5 * (low_ + high_);
     wide.include(middle - 0.5 * length);
     wide.include(middle + 0.5 * length);
@@ -72,8 +72,8 @@ double Axis::position(double value) const {
     return (value - low) / (high - low);
 }
 
-Range drawable(const Range& data) {
-    Range range = data;
+AxisRange drawable(const AxisRange& data) {
+    AxisRange range = data;
     if (range.empty()) {
         range.include(0.0);
         range.include(1.0);
@@ -83,7 +83,7 @@ Range drawable(const Range& data) {
     return range.widened_to(size > 1e-100 ? 0.1 * size : 1.0);
 }
 
-Axis fixed_axis(const Range& range, int tick_count) {
+Axis fixed_axis(const AxisRange& range, int tick_count) {
     Axis axis{range.low(), range.high(), false, {}};
     // A single number tells no scale.
     for (int count = tick_count; axis.ticks.size() < 2; ++count)
@@ -91,15 +91,15 @@ Axis fixed_axis(const Range& range, int tick_count) {
     return axis;
 }
 
-Axis linear_axis(const Range& data, int tick_count) {
-    const Range range = drawable(data);
+Axis linear_axis(const AxisRange& data, int tick_count) {
+    const AxisRange range = drawable(data);
     const double step = step_for(range, tick_count);
     const double low = step * std::floor(range.low() / step + slack);
     const double high = step * std::ceil(range.high() / step - slack);
     return {low, high, false, multiples(step, low, high)};
 }
 
-Axis logarithmic_axis(const Range& data, int tick_count) {
+Axis logarithmic_axis(const AxisRange& data, int tick_count) {
     const double low = data.empty() ? 1.0 : data.low(), high = data.empty() ? 10.0 : data.high();
     const int first = static_cast<int>(std::floor(std::log10(low))) - 1;
     const int last = static_cast<int>(std::ceil(std::log10(high))) + 1;

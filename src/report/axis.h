@@ -6,7 +6,7 @@
 namespace runout {
 
 /// From the least to the greatest of some numbers. Starts without any.
-class Range {
+class AxisRange {
   public:
     void include(double value);
     [[nodiscard]] bool empty() const { return low_ > high_; }
@@ -14,7 +14,7 @@ class Range {
     [[nodiscard]] double high() const { return high_; }
     [[nodiscard]] double length() const { return high_ - low_; }
     /// The same middle, another length.
-    [[nodiscard]] Range widened_to(double length) const;
+    [[nodiscard]] AxisRange widened_to(double length) const;
 
   private:
     double low_ = 1.0, high_ = -1.0;
@@ -31,18 +31,18 @@ struct Axis {
 };
 
 /// A range that an axis can span: never empty, never a single value.
-Range drawable(const Range& data);
+AxisRange drawable(const AxisRange& data);
 
 /// Ends at the ticks around the data. The distance of ticks is 1, 2 or 5 times a power of ten; there are
 /// about `tick_count` of them.
-Axis linear_axis(const Range& data, int tick_count);
+Axis linear_axis(const AxisRange& data, int tick_count);
 
 /// Spans just `range`, two ticks or more inside: for axes whose scale is given.
-Axis fixed_axis(const Range& range, int tick_count);
+Axis fixed_axis(const AxisRange& range, int tick_count);
 
 /// Decades; ticks at 1, 2 and 5 of each while there is room for them, else at decades alone. Data must be
 /// positive.
-Axis logarithmic_axis(const Range& data, int tick_count);
+Axis logarithmic_axis(const AxisRange& data, int tick_count);
 
 /// Labels of the ticks, short, but with the digits that tell neighbours apart.
 std::vector<std::string> tick_labels(const Axis& axis);

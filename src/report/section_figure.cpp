@@ -68,12 +68,12 @@ Polyline deposit_surface(const RunData& run) {
     return surface;
 }
 
-SectionView section_view(const RunData& run) {
+SectionWindow section_view(const RunData& run) {
     const Polyline surface = deposit_surface(run);
     Polyline shown = run.geometry.outline;
     shown.insert(shown.end(), surface.begin(), surface.end());
     shown.emplace_back(0, 0);
-    SectionView view{shown.front(), shown.front()};
+    SectionWindow view{shown.front(), shown.front()};
     for (const Vec2& point : shown) {
         view.low = view.low.cwiseMin(point);
         view.high = view.high.cwiseMax(point);
@@ -103,7 +103,7 @@ Polyline discontinuity_line(const SectionGeometry& geometry) {
 }
 
 Figure section_figure(const RunData& run) {
-    const SectionView view = section_view(run);
+    const SectionWindow view = section_view(run);
     const auto& geometry = run.geometry;
     Figure figure{"section", "Section to scale", "distance from the toe, m", "elevation above the toe, m", {},
                   true};

@@ -15,10 +15,10 @@ Polyline clipped(const Polyline& line, double from, double to);
 Polyline deposit_surface(const RunData& run);
 
 /// What of the section is worth showing: source and deposit with a margin, local frame.
-struct SectionView {
+struct SectionWindow {
     Vec2 low{0, 0}, high{1, 1};
 };
-SectionView section_view(const RunData& run);
+SectionWindow section_view(const RunData& run);
 
 /// From the exit point up at the discontinuity angle to where it leaves the source.
 Polyline discontinuity_line(const SectionGeometry& geometry);

@@ -51,9 +51,9 @@ double widest(const std::vector<std::string>& labels) {
 
 /// The plot with equal scales as large as it fits. Axes grow beyond the data where the picture would be a
 /// strip.
-void fit_equal_scales(Plot& plot, const Range& x_data, const Range& y_data) {
+void fit_equal_scales(Plot& plot, const AxisRange& x_data, const AxisRange& y_data) {
     constexpr double margin = 1.06;
-    const Range x = drawable(x_data), y = drawable(y_data);
+    const AxisRange x = drawable(x_data), y = drawable(y_data);
     const double x_length = margin * x.length(), y_length = margin * y.length();
     const double scale = std::min(plot.width / x_length, greatest_height / y_length);
     plot.width = std::max(least_width, scale * x_length);
@@ -63,7 +63,7 @@ void fit_equal_scales(Plot& plot, const Range& x_data, const Range& y_data) {
 }
 
 Plot plot_of(const Figure& figure, double top) {
-    Range x_data, y_data;
+    AxisRange x_data, y_data;
     for (const Curve& curve : figure.curves)
         for (const Vec2& point : curve.points)
             if (can_be_drawn(figure, point)) {

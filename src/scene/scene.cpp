@@ -11,6 +11,7 @@
 #include "scene/case_spec.h"
 #include "scene/parameters.h"
 #include "scene/place_effects.h"
+#include "scene/rest_check.h"
 
 namespace runout {
 namespace {
@@ -92,6 +93,9 @@ void check_friction_angle(const CaseSpec& spec) {
     if (std::isnan(spec.material.friction_angle))
         throw InputError(spec.place("material.friction_angle_deg"), "is missing",
                          "give the internal friction angle, 0 <= number < 80 deg");
+    const bool base = spec.has("effects.base_friction.angle_deg");
+    check_comes_to_rest(spec.material, spec.effects, spec.run,
+                        spec.place(base ? "effects.base_friction.angle_deg" : "material.friction_angle_deg"));
 }
 
 /// Cohesive soil is elastic where it does not yield; with the usual number of iterations it is so soft that a

@@ -31,7 +31,7 @@ struct RunSettings {
     FrictionScheme friction = FrictionScheme::projected;
     int friction_iterations = 5;
     double pressure_tolerance = 1e-2;    ///< relative residual of the pressure equation
-    double time_limit = 0;               ///< s of simulated time; 0: 60 sqrt(H/g)
+    double time_limit = 0;               ///< s of simulated time; 0: 60 sqrt(H/g) or more
     double front_thickness = 0;          ///< m, threshold of the contiguous front; 0: 3 % of sqrt(S)
     int lattice_seed = 0;                ///< 0: regular lattice; else particles start off it at random
     std::vector<double> snapshot_times;  ///< s since release, rising: instants to keep the particles of

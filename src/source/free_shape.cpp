@@ -13,6 +13,9 @@ namespace {
 
 constexpr const char* points_key = "source.points";
 
+// Below this a coordinate is 0: exact arithmetic on numbers near the smallest double leaves its intervals, m.
+constexpr double dust = 1e-12;
+
 /// The user's coordinates are decimals: what is nearer to the ground than this is on it.
 double contact_tolerance(double area) {
     return 1e-3 * std::sqrt(area);
@@ -36,6 +39,8 @@ std::vector<Vec2> local_points(const Profile& profile, const SourceSpec& spec) {
                    fmt::format("the section goes from {} to {}", shown(profile, profile.ground.front()),
                                shown(profile, profile.ground.back())));
         p.x() = std::clamp(p.x(), left, right);
+        for (double* c : {&p.x(), &p.y()})
+            if (std::abs(*c) < dust) *c = 0;
     }
     return points;
 }

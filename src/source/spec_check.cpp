@@ -9,6 +9,10 @@
 namespace runout {
 namespace {
 
+// Of lengths, areas and ratios: what lies outside is a slip of the pen.
+constexpr double least_size = 1e-9;
+constexpr double greatest_size = 1e8;
+
 enum class Quantity { angle, size, elevation, ratio };
 
 struct KeyInfo {
@@ -83,13 +87,14 @@ void check_range(const SourceSpec& spec, const KeyInfo& k) {
                 refuse(spec, k.key, "is out of range", "give degrees from 0 to 90");
             return;
         case Quantity::elevation:
-            if (!(value >= 0 && std::isfinite(value)))
+            if (!(value >= 0 && value <= greatest_size))
                 refuse(spec, k.key, "is out of range", "give metres above the toe, 0 or more");
             return;
         case Quantity::size:
         case Quantity::ratio:
-            if (!(value > 0 && std::isfinite(value)))
-                refuse(spec, k.key, "is out of range", "give a number greater than 0");
+            if (!(value >= least_size && value <= greatest_size))
+                refuse(spec, k.key, "is out of range",
+                       fmt::format("give a number from {:g} to {:g}", least_size, greatest_size));
     }
 }
 
@@ -106,8 +111,8 @@ void check_points(const SourceSpec& spec) {
         refuse(spec, "source.points", fmt::format("has {} points", spec.points.size()),
                fmt::format("a {} needs at least {} of [chainage, elevation]", type, least));
     for (const Vec2& p : spec.points)
-        if (!p.allFinite())
-            refuse(spec, "source.points", "has a coordinate that is not finite",
+        if (!p.allFinite() || p.cwiseAbs().maxCoeff() > greatest_size)
+            refuse(spec, "source.points", "has a coordinate that is not finite or beyond 1e8 m",
                    "give metres, such as [12.5, 3.0]");
 }
 

@@ -177,6 +177,18 @@ CREATE TABLE study_scenario (
     PRIMARY KEY (study_id, scenario_index)
 )"},
         Migration{5, R"(
+CREATE TABLE invariant (
+    run_id INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    invariant TEXT NOT NULL,
+    invariant_index INTEGER NOT NULL,
+    worst REAL,
+    limit_value REAL NOT NULL,
+    time_s REAL,
+    x_m REAL,
+    PRIMARY KEY (run_id, invariant)
+) STRICT, WITHOUT ROWID;
+)"},
+        Migration{6, R"(
 ALTER TABLE measure ADD COLUMN eroded_area_m2 REAL;
 ALTER TABLE run ADD COLUMN spared_share REAL;
 CREATE TABLE effect_setting (

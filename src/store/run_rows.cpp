@@ -266,6 +266,20 @@ void insert_phases(Database& database, long run_id, const std::vector<PhaseTime>
     }
 }
 
+void insert_invariants(Database& database, long run_id, const std::vector<InvariantRow>& rows) {
+    Statement statement(
+        database,
+        "INSERT INTO invariant (run_id, invariant_index, invariant, worst, limit_value, time_s, "
+        "x_m) VALUES (?, ?, ?, ?, ?, ?, ?)");
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const InvariantRow& row = rows[i];
+        SQLite::bind(statement, run_id, static_cast<long>(i), row.invariant, row.worst, row.limit, row.time_s,
+                     row.x_m);
+        statement.exec();
+        statement.reset();
+    }
+}
+
 std::vector<StoredRun> select_runs(Database& database) {
     Statement statement(database, select_runs_sql(""));
     return read_runs(database, statement);
@@ -335,6 +349,19 @@ std::vector<PhaseTime> select_phases(Database& database, long run_id) {
     std::vector<PhaseTime> rows;
     while (statement.executeStep())
         rows.push_back({statement.getColumn(0).getString(), real(statement.getColumn(1))});
+    return rows;
+}
+
+std::vector<InvariantRow> select_invariants(Database& database, long run_id) {
+    Statement statement(database,
+                        "SELECT invariant, worst, limit_value, time_s, x_m FROM invariant WHERE run_id = ?"
+                        " ORDER BY invariant_index");
+    statement.bind(1, run_id);
+    std::vector<InvariantRow> rows;
+    while (statement.executeStep())
+        rows.push_back({statement.getColumn(0).getString(), real(statement.getColumn(1)),
+                        real(statement.getColumn(2)), real(statement.getColumn(3)),
+                        real(statement.getColumn(4))});
     return rows;
 }
 

@@ -22,6 +22,7 @@ void insert_snapshots(SQLite::Database& database, long run_id, const std::vector
 void insert_stages(SQLite::Database& database, long run_id, const std::vector<StageRow>& rows);
 void insert_pilots(SQLite::Database& database, long run_id, const std::vector<PilotRow>& rows);
 void insert_phases(SQLite::Database& database, long run_id, const std::vector<PhaseTime>& rows);
+void insert_invariants(SQLite::Database& database, long run_id, const std::vector<InvariantRow>& rows);
 
 /// All runs in the order of their ids; the one with this id, or none.
 std::vector<StoredRun> select_runs(SQLite::Database& database);
@@ -39,5 +40,6 @@ std::vector<StageRow> select_stages(SQLite::Database& database, long run_id);
 std::vector<SeriesRow> select_series(SQLite::Database& database, long run_id);
 std::vector<DepositRow> select_deposit(SQLite::Database& database, long run_id);
 std::vector<PhaseTime> select_phases(SQLite::Database& database, long run_id);
+std::vector<InvariantRow> select_invariants(SQLite::Database& database, long run_id);
 
 }  // namespace runout

@@ -60,6 +60,7 @@ long Store::add(const Scene& scene, const RunResult& result, const Appraisal& ap
         insert_stages(database, run_id, result.stages);
         insert_phases(database, run_id, result.phases);
         insert_effects(database, run_id, result);
+        insert_invariants(database, run_id, result.invariants);
         insert_pilots(database, run_id, pilots);
         transaction.commit();
         return run_id;
@@ -206,6 +207,11 @@ std::vector<DepositRow> Store::deposit(long run_id) const {
 
 std::vector<PhaseTime> Store::phases(long run_id) const {
     return impl_->with_database([=](SQLite::Database& database) { return select_phases(database, run_id); });
+}
+
+std::vector<InvariantRow> Store::invariants(long run_id) const {
+    return impl_->with_database(
+        [=](SQLite::Database& database) { return select_invariants(database, run_id); });
 }
 
 std::optional<RunPlace> Store::place(long run_id) const {

@@ -208,6 +208,7 @@ class Store {
     [[nodiscard]] std::vector<SeriesRow> series(long run_id) const;
     [[nodiscard]] std::vector<DepositRow> deposit(long run_id) const;
     [[nodiscard]] std::vector<PhaseTime> phases(long run_id) const;
+    [[nodiscard]] std::vector<InvariantRow> invariants(long run_id) const;
     [[nodiscard]] std::vector<Snapshot> snapshots(long run_id) const;
     [[nodiscard]] std::vector<Frame> frames(long run_id) const;
     [[nodiscard]] std::vector<StageRow> stages(long run_id) const;

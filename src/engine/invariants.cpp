@@ -1,0 +1,134 @@
+#include "engine/invariants.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace runout {
+namespace {
+
+struct Rule {
+    const char* name;
+    double limit;
+    const char* meaning;
+};
+
+// Why the limits stand where they do: docs/stability.md.
+constexpr std::array<Rule, static_cast<int>(Invariant::count)> rules = {{
+    {"particles", 0.0, "particles lost or doubled"},
+    {"penetration", 0.5, "depth of a particle in the bed, in spacings"},
+    {"speed", 4.0, "greatest speed / sqrt(2 g H)"},
+    {"energy_rise", 0.05, "rise of the mechanical energy / (M g H)"},
+    {"energy_balance", 1e-6, "energy lost that no work accounts for / (M g H)"},
+    {"density", 0.5, "excess of the densest particle over rho_0"},
+    {"volume", 0.02, "area lost to excess of density / area"},
+    {"pressure", 0.0, "tension beyond the cut-off / (rho g H)"},
+    {"residual", 1.0, "steps in a row whose pressure solve missed its tolerance / 20"},
+    {"wall_guard", 1e-3, "particles driven into the bed / particles, a step"},
+    {"time_step", 1.0, "floor of the time step / time step"},
+}};
+
+constexpr double tolerated_misses = 20;  // pressure solves in a row that missed their tolerance
+constexpr double guard_grace = 10.0;     // particle-steps driven in before their share is judged
+
+// Of the Courant step at the speed of free fall: far below what any sound run takes, and still an end in
+// sight.
+constexpr double step_floor = 1e-3;
+
+const Rule& rule(Invariant invariant) {
+    return rules[static_cast<std::size_t>(invariant)];
+}
+
+}  // namespace
+
+const char* to_string(Invariant invariant) {
+    return rule(invariant).name;
+}
+
+const char* meaning_of(Invariant invariant) {
+    return rule(invariant).meaning;
+}
+
+InvariantWatch::InvariantWatch(const InvariantScales& scales) : scales_(scales) {
+    for (std::size_t k = 0; k < rules.size(); ++k) readings_[k].limit = rules[k].limit;
+}
+
+void InvariantWatch::restart(double height) {
+    scales_.height = height;
+    started_ = false;
+}
+
+void InvariantWatch::note(Invariant invariant, double value, double x) {
+    InvariantReading& reading = readings_[static_cast<std::size_t>(invariant)];
+    const bool sound = value <= reading.limit;  // false for NaN
+    if (value > reading.worst || std::isnan(value)) reading = {value, reading.limit, time_, x};
+    if (sound || violation_) return;
+    violation_ = fmt::format("{} at t = {:.4g} s, x = {:.4g} m: {} is {:.3g}, at most {:.3g}",
+                             to_string(invariant), time_, x, meaning_of(invariant), value, reading.limit);
+}
+
+void InvariantWatch::note_energy(double mechanical, double fastest_x, const StepFacts& step) {
+    const double energy = mechanical - step.work_supplied;
+    if (!started_) {
+        start_energy_ = energy;
+        least_energy_ = energy;
+        start_work_ = step.work_done;
+        started_ = true;
+    }
+    const double unit = scales_.gravity * scales_.height;
+    note(Invariant::energy_rise, (energy - least_energy_) / unit, fastest_x);
+    least_energy_ = std::min(least_energy_, energy);
+    const double unaccounted = start_energy_ - energy - (step.work_done - start_work_);
+    note(Invariant::energy_balance, std::abs(unaccounted) / unit, fastest_x);
+}
+
+void InvariantWatch::observe(const Soil& soil, const std::vector<double>& density, const StepFacts& step) {
+    time_ = step.time;
+    ++steps_;
+    double speed2 = 0.0;
+    double energy = 0.0;  // J/kg
+    double excess = 0.0;
+    double lowest_pressure = 0.0;
+    int fastest = 0;
+    int densest = 0;
+    int lowest = 0;
+    long long numbers = 0;
+    for (int i = 0; i < soil.count; ++i) {
+        const double v2 = soil.vx[i] * soil.vx[i] + soil.vy[i] * soil.vy[i];
+        energy += 0.5 * v2 + scales_.gravity * soil.y[i];
+        if (!(v2 <= speed2) && !std::isnan(speed2)) {  // what is no number stays
+            speed2 = v2;
+            fastest = i;
+        }
+        if (density[i] > 1.0) excess += density[i] - 1.0;
+        if (density[i] > density[densest]) densest = i;
+        if (!(soil.pressure[i] >= lowest_pressure) && !std::isnan(lowest_pressure)) {
+            lowest_pressure = soil.pressure[i];
+            lowest = i;
+        }
+        numbers += soil.id[i];
+    }
+    const long long count = soil.count;
+    const double x = soil.x[fastest];
+    const double available = scales_.gravity * scales_.height + std::max(0.0, step.work_supplied);
+    note(Invariant::speed, std::sqrt(speed2 / (2.0 * available)), x);
+    note(Invariant::particles, static_cast<double>(std::abs(numbers - count * (count - 1) / 2)), x);
+    note(Invariant::penetration, step.greatest_depth / scales_.spacing, step.depth_x);
+    note_energy(energy / static_cast<double>(count), x, step);
+    note(Invariant::density, density[densest] - 1.0, soil.x[densest]);
+    note(Invariant::volume, excess / static_cast<double>(count), soil.x[densest]);
+    note(Invariant::pressure,
+         -(lowest_pressure + scales_.tension) / (scales_.density * scales_.gravity * scales_.height),
+         soil.x[lowest]);
+    note(Invariant::residual, step.unconverged / tolerated_misses, x);
+    driven_in_ += static_cast<double>(step.driven_in) / static_cast<double>(count);
+    const double grace = guard_grace / static_cast<double>(count);
+    note(Invariant::wall_guard, std::max(0.0, driven_in_ - grace) / static_cast<double>(steps_),
+         step.depth_x);
+    const double natural =
+        scales_.courant * scales_.spacing / std::sqrt(2.0 * scales_.gravity * scales_.height);
+    note(Invariant::time_step, step_floor * natural / step.dt, x);
+}
+
+}  // namespace runout

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/soil.h"
+
+namespace runout {
+
+/// What must hold in every step of every run, whatever the scene. A reading is a pure number that may not
+/// exceed its limit.
+enum class Invariant {
+    particles,       ///< numbers lost or repeated: the mass is exact
+    penetration,     ///< depth of a particle behind the bed line, in spacings
+    speed,           ///< |v| / sqrt(2 g H), H the height of the source above the lowest bed; g H and what
+                     ///< shaking supplied
+    energy_rise,     ///< rise of the mechanical energy over the least so far / (M g H)
+    energy_balance,  ///< |energy lost - work of friction, of the projection and of the bed line| / (M g H)
+    density,         ///< excess of the densest particle over rho_0
+    volume,          ///< area lost by the mean excess of density / area
+    pressure,        ///< tension beyond what the soil bears / (rho g H)
+    residual,        ///< steps in a row whose pressure solve missed its tolerance / 20; ends as not_converged
+    wall_guard,      ///< particles driven into the bed / particles, mean of all steps
+    time_step,       ///< floor of the step / step
+    count
+};
+
+/// The word stored and printed: "penetration", "energy_rise", ...
+const char* to_string(Invariant invariant);
+/// The limit and what it is a limit of, one line for people.
+const char* meaning_of(Invariant invariant);
+
+/// How near a run came to violating an invariant, and where.
+struct InvariantReading {
+    double worst = 0;
+    double limit = 0;
+    double time = 0;  ///< s, of the worst
+    double x = 0;     ///< m, local frame: the particle to blame, or the fastest where no single one is
+};
+using InvariantReadings = std::array<InvariantReading, static_cast<int>(Invariant::count)>;
+
+/// What the scene makes natural units of.
+struct InvariantScales {
+    double gravity = 0;  ///< m/s2
+    double height = 0;   ///< H, m
+    double spacing = 0;  ///< dl, m
+    double density = 0;  ///< rho_0, kg/m3
+    double courant = 0;  ///< of the step, eq. 6
+    double tension = 0;  ///< that the soil bears, Pa
+};
+
+/// What a step did, beyond the state it left.
+struct StepFacts {
+    double time = 0;            ///< s, after the step
+    double dt = 0;              ///< s
+    int unconverged = 0;        ///< steps in a row up to this one that missed the tolerance
+    double work_done = 0;       ///< taken from the motion since release, J/kg, mean of the particles
+    double work_supplied = 0;   ///< given to it by shaking since release, likewise
+    long driven_in = 0;         ///< particles that the wall guard had to put back
+    double greatest_depth = 0;  ///< behind the bed line after the guard, m
+    double depth_x = 0;         ///< where
+};
+
+/// Holds every step against the invariants. One pass over the particles a step.
+class InvariantWatch {
+  public:
+    explicit InvariantWatch(const InvariantScales& scales);
+
+    /// Soil was added at rest, the source may stand higher now; energy is reckoned anew from here.
+    void restart(double height);
+    /// `density`: rho / rho_0 per particle.
+    void observe(const Soil& soil, const std::vector<double>& density, const StepFacts& step);
+
+    /// "energy_rise at t = 0.31 s, x = 1.2 m: 0.034, at most 0.02" for the first one violated, if any.
+    [[nodiscard]] const std::optional<std::string>& violation() const { return violation_; }
+    [[nodiscard]] const InvariantReadings& readings() const { return readings_; }
+
+  private:
+    void note(Invariant invariant, double value, double x);
+    void note_energy(double mechanical, double fastest_x, const StepFacts& step);
+
+    InvariantScales scales_;
+    InvariantReadings readings_;
+    double time_ = 0;
+    std::optional<std::string> violation_;
+    double start_energy_ = 0;  ///< less what shaking supplied, J/kg, mean of the particles
+    double least_energy_ = 0;
+    double start_work_ = 0;
+    bool started_ = false;
+    double driven_in_ = 0;  ///< sum over steps of the share of particles
+    long steps_ = 0;
+};
+
+}  // namespace runout

@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "core/input_error.h"
+#include "program/command.h"
+#include "program/interrupt.h"
+#include "report/stress_table.h"
+#include "store/store.h"
+
+namespace runout {
+namespace {
+
+struct StressArguments {
+    int scenes = 100;
+    std::uint64_t seed = 1;
+    std::vector<std::string> ranges;
+    std::vector<std::string> settings;
+    std::string database = "stress.db";
+    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    bool quiet = false;
+};
+
+std::optional<double> number_from(std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::string known_axes(std::span<const StressAxis> axes) {
+    std::vector<std::string_view> names;
+    for (const StressAxis& axis : axes) names.push_back(axis.name);
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// "slope_angle_deg=40:70" narrows one axis.
+void narrow(std::vector<StressAxis>& axes, const std::string& text) {
+    const InputPlace place{.file = "--range", .line = 0, .key = {}, .value = text};
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const std::string name = text.substr(0, equals);
+    const auto axis = std::ranges::find(axes, name, &StressAxis::name);
+    if (axis == axes.end()) throw InputError(place, "names no axis", "known: " + known_axes(axes));
+    const std::string range = text.substr(std::min(equals + 1, text.size()));
+    const std::size_t colon = range.find(':');
+    const auto low = number_from(range.substr(0, colon));
+    const auto high = colon == std::string::npos ? low : number_from(range.substr(colon + 1));
+    const bool ordered = low && high && *low <= *high;
+    if (!ordered || *low < axis->low || *high > axis->high)
+        throw InputError(
+            place, "is not a range of this axis",
+            fmt::format("give {}=LOW:HIGH or one number, from {} to {}", name, axis->low, axis->high));
+    axis->low = *low;
+    axis->high = *high;
+}
+
+std::pair<std::string, std::string> split(const std::string& setting) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos)
+        throw InputError({.file = "--set", .line = 0, .key = {}, .value = setting}, "is not key=value",
+                         "write --set run.courant=0.2");
+    return {setting.substr(0, equals), setting.substr(equals + 1)};
+}
+
+int stress(const StressArguments& arguments) {
+    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
+    std::vector<StressAxis> axes = stress_axes();
+    for (const std::string& range : arguments.ranges) narrow(axes, range);
+    Store store(arguments.database, Store::Mode::write);
+    InterruptWatch interrupt;
+    StressOptions options;
+    options.jobs = arguments.jobs;
+    for (const std::string& setting : arguments.settings) options.settings.push_back(split(setting));
+    options.interrupt = &interrupt.requested();
+    options.on_run = [](int done, int total) {
+        if (done % 50 == 0 || done == total) spdlog::info("{} of {} scenes", done, total);
+    };
+    const auto points = stress_points(axes, arguments.scenes, arguments.seed);
+    const auto outcomes = run_stress(points, arguments.seed, store, options);
+    fmt::print("{}", stress_table(outcomes, axes));
+    if (interrupt.requested()) return exit_code::interrupted;
+    return std::ranges::all_of(outcomes, is_sound) ? exit_code::success : exit_code::not_a_result;
+}
+
+std::string axes_text() {
+    std::string text = "Axes, for --range:\n";
+    for (const StressAxis& axis : stress_axes())
+        text += fmt::format("  {:<20} {:g} to {:g}: {}\n", axis.name, axis.low, axis.high, axis.meaning);
+    return text;
+}
+
+}  // namespace
+
+void add_stress_command(CLI::App& app, Command& command) {
+    const auto arguments = std::make_shared<StressArguments>();
+    CLI::App* sub = app.add_subcommand(
+        "stress",
+        "Run random hard scenes and say how each ended and how near any came to losing its stability");
+    sub->add_option("--scenes", arguments->scenes, "How many, spread by a Latin hypercube")
+        ->type_name("number")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    sub->add_option("--seed", arguments->seed, "The same seed makes the same scenes")
+        ->type_name("number")
+        ->capture_default_str();
+    sub->add_option("--range", arguments->ranges, "Narrow an axis, or fix it; may be repeated")
+        ->type_name("axis=LOW:HIGH")
+        ->allow_extra_args(false);
+    sub->add_option("--set", arguments->settings,
+                    "Any key run.* of a case file, for all scenes; may be repeated")
+        ->type_name("key=value")
+        ->allow_extra_args(false);
+    sub->add_option("--db", arguments->database, "Database that takes the runs; made if absent")
+        ->type_name("PATH")
+        ->capture_default_str();
+    sub->add_option("-j,--jobs", arguments->jobs, "Runs at a time")
+        ->type_name("number")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    sub->add_flag("--quiet", arguments->quiet, "No log but errors");
+    sub->footer(axes_text());
+    sub->callback([arguments, &command] { command = [arguments] { return stress(*arguments); }; });
+}
+
+}  // namespace runout

@@ -1,0 +1,176 @@
+#include "stress/stress_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/units.h"
+#include "scene/rest_check.h"
+#include "stress/hillside.h"
+
+namespace runout {
+namespace {
+
+constexpr double sliver_angle = radians(1.0);
+
+template <class Choice>
+Choice chosen(double value) {
+    const int last = static_cast<int>(Choice::count) - 1;
+    return static_cast<Choice>(std::clamp(static_cast<int>(value), 0, last));
+}
+
+Effects effects_of(const StressPoint& p) {
+    Effects effects;
+    if (p.base_friction_share < 1)
+        effects.base_friction = BaseFriction{radians(p.base_friction_share * p.friction_angle_deg)};
+    return effects;
+}
+
+/// sin(phi), or the tangent of the friction angle of the base where that is less.
+double strength_on_bed(const StressPoint& p) {
+    const double own = std::sin(radians(p.friction_angle_deg));
+    const auto base = effects_of(p).base_friction;
+    return base ? std::min(own, std::tan(base->angle)) : own;
+}
+
+double face_angle(const StressPoint& p, SourceKind kind) {
+    if (kind == SourceKind::column) return std::numbers::pi / 2;
+    return radians(p.slope_angle_deg);
+}
+
+/// Height of the ground that a source of this kind takes, over sqrt(S).
+double height_of_source(const StressPoint& p, SourceKind kind) {
+    switch (kind) {
+        case SourceKind::column:
+            return 1.2 * std::sqrt(p.aspect_ratio);
+        case SourceKind::falling_block:
+            return 0.5;
+        case SourceKind::sheet:
+            return 0.2;
+        default:
+            return 2.0;
+    }
+}
+
+/// Long enough by the energy line from the crest to the tip of the debris, which goes further than the middle
+/// of it does, and for a heap that spreads on level ground. `reach`: of the tip over that of the energy line.
+double run_out_length(const StressPoint& p, double height, double reach) {
+    const double strength = std::max(strength_on_bed(p), 0.01);
+    const double repose = std::atan(strength);
+    const double fall = p.run_out_slope_share * repose;
+    const double stopping = strength - std::tan(std::max(fall, 0.0));
+    return reach * height / stopping + 10 * p.size_m / std::sqrt(strength);
+}
+
+Hillside hillside_of(const StressPoint& p, SourceKind kind) {
+    Hillside h;
+    h.shape = kind == SourceKind::column ? HillsideShape::plain : chosen<HillsideShape>(p.hillside_shape);
+    h.face_angle = face_angle(p, kind);
+    const bool falls_from_height = kind != SourceKind::column;
+    const double drop = falls_from_height && kind != SourceKind::falling_block ? p.drop_height_ratio : 0.0;
+    h.height = p.size_m * std::max(drop, height_of_source(p, kind));
+    h.bench = 30 * p.size_m;
+    h.detail = p.detail_ratio * p.size_m;
+    if (h.shape == HillsideShape::steps) h.detail = p.size_m / p.resolution;  // at the scale of a particle
+    const double fall = kind == SourceKind::falling_block ? p.drop_height_ratio * p.size_m : 0.0;
+    // What falls on level ground splashes both ways, in jets of up to twice the speed of the fall.
+    h.run_out_length = run_out_length(p, h.height + fall, kind == SourceKind::falling_block ? 5.0 : 2.5);
+    if (kind == SourceKind::falling_block) h.bench = h.run_out_length;
+    h.run_out_angle = p.run_out_slope_share * std::atan(strength_on_bed(p));
+    return h;
+}
+
+SourceSpec block(double left, double bottom, double width, double height) {
+    SourceSpec spec;
+    spec.type = SourceType::polygon;
+    spec.points = {
+        {left, bottom}, {left + width, bottom}, {left + width, bottom + height}, {left, bottom + height}};
+    return spec;
+}
+
+/// Its head at the crest.
+SourceSpec box(const StressPoint& p, double aspect) {
+    SourceSpec spec;
+    spec.type = SourceType::rectangle;
+    spec.length = p.size_m * std::sqrt(aspect);
+    spec.thickness = p.size_m / std::sqrt(aspect);
+    return spec;
+}
+
+SourceSpec dipping(const StressPoint& p, SourceType type, double dip) {
+    SourceSpec spec;
+    spec.type = type;
+    spec.base_angle = dip;
+    spec.area = p.size_m * p.size_m;
+    const double face = radians(p.slope_angle_deg);
+    if (type != SourceType::a) spec.scarp_angle = face + p.scarp_angle_share * (std::numbers::pi / 2 - face);
+    if (type == SourceType::a) spec.aspect = std::clamp(p.aspect_ratio, 1.0, 3.0);
+    if (type == SourceType::c) spec.height = 1.5 * p.size_m;
+    return spec;
+}
+
+/// In the local frame: the toe is the origin.
+SourceSpec source_of(const StressPoint& p, SourceKind kind) {
+    const double size = p.size_m;
+    const double face = radians(p.slope_angle_deg);
+    const double dip = p.base_angle_share * face;
+    switch (kind) {
+        case SourceKind::rectangle:
+            return box(p, std::clamp(p.aspect_ratio, 0.3, 3.0));
+        case SourceKind::sheet:
+            return box(p, std::clamp(p.aspect_ratio, 20.0, 50.0));
+        case SourceKind::a:
+            return dipping(p, SourceType::a, dip);
+        case SourceKind::c:
+            return dipping(p, SourceType::c, dip);
+        case SourceKind::sliver:
+            return dipping(p, SourceType::b, face - sliver_angle * (0.2 + 0.8 * p.base_angle_share));
+        case SourceKind::column:
+            return block(0, 0, size / std::sqrt(p.aspect_ratio), size * std::sqrt(p.aspect_ratio));
+        case SourceKind::falling_block:
+            return block(2 * size, p.drop_height_ratio * size, size, size);
+        default:
+            return dipping(p, SourceType::b, dip);
+    }
+}
+
+}  // namespace
+
+std::string to_string(SourceKind kind) {
+    constexpr std::array names = {"rectangle", "A", "B", "C", "sliver", "sheet", "column", "falling_block"};
+    return names.at(static_cast<std::size_t>(kind));
+}
+
+Scene stress_scene(const StressPoint& p, const std::string& name) {
+    const auto kind = chosen<SourceKind>(p.source_kind);
+    const Hillside hillside = hillside_of(p, kind);
+    const double direction = p.reversed < 1 ? 1.0 : -1.0;
+    const auto in_section = [&](const Vec2& local) {
+        return Vec2(p.offset_m + direction * local.x(), local.y());
+    };
+
+    std::vector<Vec2> section;
+    for (const Vec2& point : ground_of(hillside)) section.push_back(in_section(point));
+    if (direction < 0) std::ranges::reverse(section);
+    SourceSpec spec = source_of(p, kind);
+    for (Vec2& corner : spec.points) corner = in_section(corner);
+    ProfileOptions options;
+    options.toe_chainage_m = p.offset_m;
+    options.crest_chainage_m = in_section(ground_of(hillside)[1]).x();
+
+    Scene scene;
+    scene.name = name;
+    scene.profile = make_profile(section, {}, name, options);
+    scene.source = derive_source(scene.profile, spec);
+    scene.material.friction_angle = radians(p.friction_angle_deg);
+    scene.effects = effects_of(p);
+    check_comes_to_rest(scene.material, scene.effects, scene.run,
+                        {.file = name, .line = 0, .key = "effects.base_friction.angle_deg", .value = {}});
+    scene.run.resolution = p.resolution;
+    scene.run.gravity = p.gravity_m_s2;
+    scene.run.threads = 1;
+    return scene;
+}
+
+}  // namespace runout

@@ -1,0 +1,40 @@
+// Every input that a fuzzer was given to start from or has found goes through the readers again.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "fuzz/targets.h"
+
+namespace runout {
+namespace {
+
+namespace fs = std::filesystem;
+
+int replay(const char* name, void (*target)(std::span<const std::uint8_t>)) {
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator(fs::path(RUNOUT_SOURCE_DIR) / "tests/corpus" / name)) {
+        std::ifstream file(entry.path(), std::ios::binary);
+        const std::vector<char> text{std::istreambuf_iterator<char>(file), {}};
+        const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+        SCOPED_TRACE(entry.path().filename());
+        target(bytes);
+        ++count;
+    }
+    return count;
+}
+
+TEST(Corpus, OfTheCsvReader) {
+    EXPECT_GT(replay("csv_reader", fuzz::read_section), 10);
+}
+TEST(Corpus, OfTheCaseReader) {
+    EXPECT_GT(replay("case_reader", fuzz::read_case_file), 10);
+}
+TEST(Corpus, OfTheSourceDerivation) {
+    EXPECT_GT(replay("source_derivation", fuzz::derive_any_source), 10);
+}
+
+}  // namespace
+}  // namespace runout

@@ -1,0 +1,165 @@
+#include "fuzz/targets.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/input_error.h"
+#include "profile/profile.h"
+#include "scene/case_file.h"
+#include "scene/case_spec.h"
+#include "source/source.h"
+
+namespace runout::fuzz {
+namespace {
+
+void require(bool holds, const char* promise) {
+    if (holds) return;
+    fmt::print(stderr, "broken promise: {}\n", promise);
+    std::abort();
+}
+
+/// The readers take a path.
+std::string written(std::span<const std::uint8_t> bytes, const char* extension) {
+    static const std::string stem =
+        (std::filesystem::temp_directory_path() / fmt::format("runout-fuzz-{}", getpid())).string();
+    std::ofstream file(stem + extension, std::ios::binary | std::ios::trunc);
+    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    return stem + extension;
+}
+
+template <class Action>
+void accept_input_error(const Action& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        require(std::strlen(error.what()) > 20, "an InputError is a sentence");
+    }
+}
+
+void check(const Profile& profile) {
+    require(profile.ground.size() >= 2, "a profile has two points");
+    require(profile.crest <= profile.toe && profile.toe < profile.ground.size(), "crest and toe are on it");
+    require(profile.ground[profile.toe] == Vec2(0, 0), "the toe is the origin");
+    for (std::size_t i = 0; i < profile.ground.size(); ++i) {
+        require(profile.ground[i].allFinite(), "the ground is finite");
+        if (i == 0) continue;
+        require(profile.ground[i].x() >= profile.ground[i - 1].x(), "x never decreases");
+        require(profile.ground[i] != profile.ground[i - 1], "no point is repeated");
+    }
+}
+
+void check(const Source& source) {
+    require(std::isfinite(source.area) && source.area > 0, "a source has an area");
+    require(source.front_area >= 0 && source.front_area <= source.area * (1 + 1e-9), "S_front is part of it");
+    require(source.outline.size() >= 3, "an outline has three corners");
+    for (const Vec2& p : source.outline) require(p.allFinite(), "the outline is finite");
+    require(source.bed.size() >= 2, "there is a bed");
+    for (std::size_t i = 1; i < source.bed.size(); ++i)
+        require(source.bed[i].x() >= source.bed[i - 1].x(), "the bed never goes back");
+    require(std::isfinite(source.drop_height), "the drop height is finite");
+}
+
+/// Numbers of all sizes from bytes, zeros when they run out.
+class Numbers {
+  public:
+    explicit Numbers(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+    [[nodiscard]] bool empty() const { return at_ >= bytes_.size(); }
+    std::uint8_t byte() { return empty() ? std::uint8_t{0} : bytes_[at_++]; }
+    /// Most are short decimals, as in a section; some are any double.
+    double number() {
+        const std::uint8_t kind = byte();
+        if (kind > 250) {
+            double any = 0;
+            for (std::size_t k = 0; k < sizeof any; ++k) reinterpret_cast<std::uint8_t*>(&any)[k] = byte();
+            return any;
+        }
+        const int whole = byte() * 256 + byte() - 32768;
+        return whole * std::pow(10.0, -static_cast<double>(kind % 5));
+    }
+    double size() { return std::abs(number()); }
+
+  private:
+    std::span<const std::uint8_t> bytes_;
+    std::size_t at_ = 0;
+};
+
+std::vector<Vec2> points_from(Numbers& numbers, std::size_t count, bool forwards) {
+    std::vector<Vec2> points;
+    double x = 0;
+    while (points.size() < count) {
+        const double step = numbers.number();
+        x = forwards ? x + std::abs(step) : step;
+        points.emplace_back(x, numbers.number());
+    }
+    return points;
+}
+
+SourceSpec spec_from(Numbers& numbers) {
+    SourceSpec spec;
+    spec.type = static_cast<SourceType>(numbers.byte() % 6);
+    const std::uint8_t given = numbers.byte();
+    const auto set = [&](int bit, double SourceSpec::*key, double value) {
+        if ((given >> bit & 1) != 0) spec.*key = value;
+    };
+    set(0, &SourceSpec::base_angle, numbers.size() / 100);
+    set(1, &SourceSpec::scarp_angle, numbers.size() / 100);
+    set(2, &SourceSpec::area, numbers.size());
+    set(3, &SourceSpec::height, numbers.size());
+    set(4, &SourceSpec::length, numbers.size());
+    set(5, &SourceSpec::thickness, numbers.size());
+    set(6, &SourceSpec::aspect, numbers.size());
+    set(7, &SourceSpec::drop_height, numbers.number());
+    if (numbers.byte() % 2 == 1) spec.datum = DropDatum::base;
+    if (spec.type == SourceType::polygon || spec.type == SourceType::slip_surface)
+        spec.points = points_from(numbers, numbers.byte() % 12, spec.type == SourceType::slip_surface);
+    return spec;
+}
+
+}  // namespace
+
+void read_section(std::span<const std::uint8_t> bytes) {
+    const std::string path = written(bytes, ".csv");
+    accept_input_error([&] { check(read_profile_csv(path, {})); });
+}
+
+void read_case_file(std::span<const std::uint8_t> bytes) {
+    const std::string path = written(bytes, ".toml");
+    accept_input_error([&] { read_case(path); });
+    CaseSpec spec;
+    const std::string text(bytes.begin(), bytes.end());
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string line = text.substr(begin, end - begin);
+        const std::size_t equals = std::min(line.find('='), line.size());
+        accept_input_error([&] {
+            override_value(spec, line.substr(0, equals), line.substr(std::min(equals + 1, line.size())),
+                           "--set");
+        });
+        begin = end + 1;
+    }
+}
+
+void derive_any_source(std::span<const std::uint8_t> bytes) {
+    Numbers numbers(bytes);
+    accept_input_error([&] {
+        const std::vector<Vec2> points = points_from(numbers, 2 + numbers.byte() % 10, true);
+        ProfileOptions options;
+        const std::uint8_t given = numbers.byte();
+        if (given % 4 == 1) options.toe_chainage_m = numbers.number();
+        if (given % 8 == 3) options.crest_chainage_m = numbers.number();
+        const Profile profile = make_profile(points, {}, "fuzz", options);
+        check(profile);
+        check(derive_source(profile, spec_from(numbers)));
+    });
+}
+
+}  // namespace runout::fuzz

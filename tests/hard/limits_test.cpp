@@ -1,0 +1,64 @@
+// Scenes that stand at a limit: of speed, of time, of size.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/simulation.h"
+#include "hard/hard_scenes.h"
+#include "scenes.h"
+
+namespace runout {
+namespace {
+
+double worst(const Simulation& simulation, Invariant invariant) {
+    return simulation.invariants()[static_cast<std::size_t>(invariant)].worst;
+}
+
+/// A block that falls flat on level ground squeezes out jets that are faster than itself, while the energy of
+/// the whole does not rise: free fall bounds the energy of the mass, and not the speed of each part.
+TEST(Limits, JetsOfAnImpactAreFasterThanFreeFallAndTakeNoEnergyFromNowhere) {
+    StressPoint p = plain_hard_point();
+    p.source_kind = static_cast<double>(SourceKind::falling_block) + 0.5;
+    p.friction_angle_deg = 5;
+    p.drop_height_ratio = 20;
+    const Scene scene = stress_scene(p, "jet");
+    Simulation simulation(scene);
+    // The fall takes sqrt(2 * 20.5 sqrt(S)/g), and the jets a little more.
+    while (simulation.status() == RunStatus::running && simulation.time() < 8.0 * simulation.time_scale())
+        simulation.step();
+    EXPECT_EQ(simulation.status(), RunStatus::running) << simulation.status_detail();
+    EXPECT_GT(worst(simulation, Invariant::speed), 1.1);
+    EXPECT_LT(worst(simulation, Invariant::energy_rise), 1e-3);
+    EXPECT_LT(worst(simulation, Invariant::energy_balance), 1e-6);
+    RecordProperty("speed", std::to_string(worst(simulation, Invariant::speed)));
+    RecordProperty("energy_rise", std::to_string(worst(simulation, Invariant::energy_rise)));
+}
+
+/// Greatest displacement in spacings of a heap left alone for 300 sqrt(H/g).
+double creep_of_heap(double slope_deg) {
+    constexpr double height = 5.0;
+    const Scene scene = scenes::heap(slope_deg, height, 30.0, 0.35);
+    Simulation simulation(scene);
+    const StateView start = simulation.state();
+    std::vector<Vec2> from(start.x.size());
+    for (std::size_t i = 0; i < from.size(); ++i) from[start.id[i]] = {start.x[i], start.y[i]};
+    while (simulation.time() < 300.0 * std::sqrt(height / scene.run.gravity)) simulation.step();
+    const StateView end = simulation.state();
+    double moved = 0.0;
+    for (std::size_t i = 0; i < from.size(); ++i)
+        moved = std::max(moved, (Vec2{end.x[i], end.y[i]} - from[end.id[i]]).norm());
+    return moved / 0.35;
+}
+
+TEST(Limits, HeapsBelowReposeStandForThreeHundredFallTimes) {
+    // Repose of phi = 30 deg is 26.57 deg.
+    for (const double slope : {15.0, 20.0, 24.0}) {
+        const double creep = creep_of_heap(slope);
+        EXPECT_LT(creep, 1.0) << "at " << slope << " deg";
+        RecordProperty("creep_spacings_" + std::to_string(static_cast<int>(slope)), std::to_string(creep));
+    }
+}
+
+}  // namespace
+}  // namespace runout
