@@ -42,12 +42,12 @@ inline RunResult example_result() {
                    .pressure_iterations = 30004,
                    .wall_guard_activations = 5,
                    .highest_density_ratio = 1.021,
-                   .spared_share = 0.25,
                    .simulated_s = 4.7,
                    .wall_s = 2.3,
                    .cpu_s = 4.4,
                    .threads = 2,
-                   .peak_memory_mb = 37.25};
+                   .peak_memory_mb = 37.25,
+                   .spared_share = 0.25};
     result.series = {{0, 0.1, 0.2, 300.3, 0.4, 23750.6}, {0.1, 1.1, 12.7, 280.3, 7.4, 23750.6}};
     result.deposit = {{834510.25, 43.1, 0.3, 0.4}, {834512.75, 41.5, 1.3, 1.4}, {834515.1, 41.4, 0.9, 1.1}};
     result.phases = {{"pressure", 1.5}, {"friction", 0.6}};

@@ -34,6 +34,7 @@ struct HandMade {
         StateView state;
         state.discretisation = &d;
         state.bed = &bed;
+        state.ground = &bed;
         state.x = x;
         state.y = y;
         state.density = density;

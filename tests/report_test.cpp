@@ -148,11 +148,18 @@ TEST(RunJson, TextThatIsNotUtf8IsStillJson) {
 
 // ---- tables for programs
 
+/// A run that is looked at by itself has more: what its effects did.
+Json without_effects(const std::string& text) {
+    Json json = Json::parse(text);
+    for (const char* key : {"effects", "advice", "gauges", "barrier"}) EXPECT_EQ(json.erase(key), 1U) << key;
+    return json;
+}
+
 TEST(RunTable, JsonIsAnArrayOfTheSameObjects) {
     const Json json = Json::parse(run_table({settled_run(), failed_run()}, TableFormat::json));
     ASSERT_EQ(json.size(), 2U);
-    EXPECT_EQ(json[0], Json::parse(run_json(settled_run())));
-    EXPECT_EQ(json[1], Json::parse(run_json(failed_run())));
+    EXPECT_EQ(json[0], without_effects(run_json(settled_run())));
+    EXPECT_EQ(json[1], without_effects(run_json(failed_run())));
     EXPECT_EQ(Json::parse(run_table({}, TableFormat::json)), Json::array());
 }
 
@@ -163,7 +170,7 @@ TEST(RunTable, CsvHasTheColumnsOfTheJsonAndNumbersToTheBit) {
     ASSERT_EQ(lines.size(), 2U);
     const auto names = fields_of(lines[0]);
     const auto values = fields_of(lines[1]);
-    const Json json = Json::parse(run_json(run));
+    const Json json = without_effects(run_json(run));
     ASSERT_EQ(names.size(), json.size());
     ASSERT_EQ(values.size(), names.size());
     for (std::size_t i = 0; i < names.size(); ++i) {

@@ -120,7 +120,7 @@ std::string sample_text(const Parameter& parameter) {
         case ValueKind::number:
             break;
     }
-    for (const char* candidate : {"17.5", "1.75", "0.25", "0.025", "1750"}) {
+    for (const char* candidate : {"17.5", "1.75", "0.25", "0.025", "1750", "75"}) {
         const double value = std::stod(candidate);
         if (parameter.range.contains(value)) return candidate;
     }
@@ -360,7 +360,7 @@ TEST_F(SceneTest, UnknownKeysNameTheNearest) {
                      {"line 1", "nearest is material.friction_angle_deg"});
     expect_complaint(complaint("\"run.resolution\" = 38\n"), {"line 1", "not a known key"});
     expect_complaint(complaint("[sauce]\n"), {"line 1", "sauce", "not a known key"});
-    expect_complaint(complaint("[[source]]\ntype = \"B\"\n"), {"line 1", "source", "not a known key"});
+    expect_complaint(complaint("[[source]]\ntype = \"B\"\n"), {"line 1: source", "write [source], once"});
     expect_complaint(complaint("[run]\ncourant.max = 0.1\n"), {"line 2", "run.courant"});
 }
 

@@ -249,8 +249,8 @@ TEST(Columns, NameEveryMemberOnce) {
     EXPECT_EQ(measure_fields().size() * sizeof(double), sizeof(Measures));
     // Fails to compile when a member is added: then it needs a column too.
     const auto& [particles, boundary, spacing, steps, iterations, guard, density, simulated, wall, cpu,
-                 threads, memory] = RunWork{};
-    EXPECT_EQ(work_columns().size(), 12U);
+                 threads, memory, spared] = RunWork{};
+    EXPECT_EQ(work_columns().size(), 13U);
     EXPECT_EQ(threads, 1);
 
     RunWork work;

@@ -138,8 +138,7 @@ void Simulation::step() {
     const PressureSolve solve = in_free_flight() ? fly(dt) : resist(dt);
     clock_.enter(Phase::motion);
     correct(dt);
-    if (filter_) friction_work_ += discretisation_.mass() * filter_->apply(neighbours_, wall_, bed_, soil_);
-    if (effects_.side_walls) brake(dt);
+    if (filter_ || effects_.side_walls) damp(dt);
     move(dt);
     if (effects_.cohesion && effects_.cohesion->strength > 0.0) even_out();
     StepFacts facts = guard_wall(dt);

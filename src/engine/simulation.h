@@ -119,7 +119,9 @@ class Simulation {
     void set_up_effects();
     double& cost_of(const char* effect);
     [[nodiscard]] Vec2 body_acceleration() const;
+    void damp(double dt);
     void brake(double dt);
+    [[nodiscard]] double rate_of_rise() const;
     void even_out();
     void measure_barrier(double dt);
     void note_moved_layer();

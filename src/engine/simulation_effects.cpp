@@ -63,6 +63,21 @@ Vec2 Simulation::body_acceleration() const {
     return ground_motion_ ? Vec2(gravity - ground_motion_->acceleration(time_)) : gravity;
 }
 
+double Simulation::rate_of_rise() const {
+    double sum = 0.0;
+    for (int i = 0; i < soil_.count; ++i) sum += soil_.vy[i];
+    return sum;
+}
+
+/// What takes from the velocity after the projection. Gravity has done its work at the velocity before, and
+/// the soil moves with the one after.
+void Simulation::damp(double dt) {
+    const double before = rate_of_rise();
+    if (filter_) friction_work_ += discretisation_.mass() * filter_->apply(neighbours_, wall_, bed_, soil_);
+    if (effects_.side_walls) brake(dt);
+    numerical_work_ += dt * discretisation_.mass() * run_.gravity * (before - rate_of_rise());
+}
+
 void Simulation::brake(double dt) {
     const Stopwatch watch(cost_of("side_walls"));
     side_wall_work_ +=

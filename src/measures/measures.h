@@ -153,12 +153,12 @@ struct RunWork {
     long pressure_iterations = 0;  ///< CG iterations, all steps
     long wall_guard_activations = 0;
     double highest_density_ratio = 0;  ///< densest particle at any instant / rho_0
-    double spared_share = 0;  ///< of the particle steps: in free flight, without friction and pressure
     double simulated_s = 0;
     double wall_s = 0;
     double cpu_s = 0;
     int threads = 1;
     double peak_memory_mb = 0;  ///< resident memory of the program at its greatest, MB; 0: not known
+    double spared_share = 0;    ///< of the particle steps: in free flight, without friction and pressure
 };
 
 /// Seconds spent in one phase of the step.

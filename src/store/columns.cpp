@@ -13,12 +13,12 @@ constexpr std::array work = {
     WorkColumn{"pressure_iterations", &RunWork::pressure_iterations},
     WorkColumn{"wall_guard_activations", &RunWork::wall_guard_activations},
     WorkColumn{"highest_density_ratio", &RunWork::highest_density_ratio},
-    WorkColumn{"spared_share", &RunWork::spared_share},
     WorkColumn{"simulated_s", &RunWork::simulated_s},
     WorkColumn{"wall_s", &RunWork::wall_s},
     WorkColumn{"cpu_s", &RunWork::cpu_s},
     WorkColumn{"threads", &RunWork::threads},
     WorkColumn{"peak_memory_mb", &RunWork::peak_memory_mb},
+    WorkColumn{"spared_share", &RunWork::spared_share},
 };
 
 constexpr std::array series = {

@@ -175,6 +175,7 @@ CREATE TABLE study_scenario (
     inputs TEXT NOT NULL,
     refusal TEXT NOT NULL,
     PRIMARY KEY (study_id, scenario_index)
+) STRICT, WITHOUT ROWID;
 )"},
         Migration{5, R"(
 CREATE TABLE invariant (
