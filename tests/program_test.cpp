@@ -190,8 +190,9 @@ TEST_F(ProgramTest, HelpKeysTellsEveryKeyWithRangeAndDefault) {
 
 TEST_F(ProgramTest, RefusesCommandLinesItDoesNotUnderstand) {
     expect_refused({}, {"subcommand"});
-    expect_refused({"rnu", "case.toml"},
-                   {"rnu is not a subcommand", "run, profile, source, effects, sweep, merge, table, accuracy, map"});
+    expect_refused(
+        {"rnu", "case.toml"},
+        {"rnu is not a subcommand", "run, profile, source, effects, sweep, merge, table, accuracy, map"});
     expect_refused({"run"}, {"FILE"});
     expect_refused({"run", "case.toml", "--angle", "3"}, {"--angle"});
     expect_refused({"run", "case.toml", "--friction-angle"}, {"--friction-angle"});

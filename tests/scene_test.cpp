@@ -150,6 +150,7 @@ std::string everything(const CaseSpec& c) {
     for (const EffectSetting& setting : effect_settings(e, Profile{}))
         text += fmt::format("|{}.{} {}", setting.effect, setting.key, setting.value);
     if (e.pore_pressure) text += fmt::format("|excess for {}", e.pore_pressure->dissipation_time);
+    if (e.release) text += fmt::format("|{} {}", e.release->layer_width, e.release->layer_height);
     if (e.erodible_bed) text += fmt::format("|layer from {}", e.erodible_bed->from);
     text += fmt::format("|{}|{} {}", c.shaking_record, c.pseudo_static.x(), c.pseudo_static.y());
     for (const Gauge& gauge : c.gauges) text += fmt::format("|gauge {} {}", gauge.name, gauge.x);

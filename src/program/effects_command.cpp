@@ -14,6 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double scatter = 0.03;  // of the measured costs, on an idle machine
+
 struct EffectsArguments {
     CaseArguments scenario;
     bool json = false;
@@ -31,6 +33,7 @@ std::string settings_of(const std::vector<EffectSetting>& settings, const std::s
 std::string cost_text(const MeasuredEffect& effect) {
     if (!effect.on) return "nothing";
     if (std::isnan(effect.share)) return "not measured";
+    if (std::abs(effect.share) < scatter) return "within 3 %";
     return fmt::format("{:+.0f} % of a step", 100 * effect.share);
 }
 
@@ -45,7 +48,7 @@ std::string text_of(const Scene& scene, const std::vector<MeasuredEffect>& effec
     }
     text +=
         "Costs are CPU time of the first steps at low resolution, with all effects of the case and without "
-        "the one.\n";
+        "the one; they scatter by 3 %.\n";
     return text;
 }
 

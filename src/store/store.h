@@ -72,7 +72,7 @@ struct StoredRun {
     std::vector<std::string> advice;
     std::vector<GaugeRecord> gauges;
     std::vector<BarrierRecord> barriers;  ///< one, or none
-    std::string machine;  ///< processor and hardware threads
+    std::string machine;                  ///< processor and hardware threads
     Appraisal appraisal;
 };
 
