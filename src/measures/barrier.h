@@ -26,7 +26,6 @@ class BarrierRecorder {
     double due_ = 0;
     double last_time_ = 0;
     Vec2 last_impulse_{0, 0};
-    bool arrived_ = false;
     BarrierRecord record_;
 };
 
