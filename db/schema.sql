@@ -367,12 +367,11 @@ CREATE TABLE stage (
     PRIMARY KEY (run_id, row_index)
 ) STRICT, WITHOUT ROWID;
 
--- Every effect the program knows: on or off in this run, what that means, and what it cost.
+-- The effects that were on in a run, what that means, and what each cost. One that has no row was off.
 CREATE TABLE run_effect (
     run_id     INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
     row_index  INTEGER NOT NULL,
     effect     TEXT NOT NULL,
-    is_on      INTEGER NOT NULL CHECK (is_on IN (0, 1)),
     why        TEXT NOT NULL,
     cost_s     REAL,               -- wall seconds of work of its own; NULL: none apart from the rest of the step
     PRIMARY KEY (run_id, row_index)

@@ -12,19 +12,13 @@
 #include "engine/bed_shape.h"
 #include "engine/simulation.h"
 #include "measures/run.h"
+#include "observe.h"
 #include "scenes.h"
 
 namespace runout {
 namespace {
 
 constexpr double g = 9.81;
-
-std::vector<Vec2> positions_by_id(const Simulation& simulation) {
-    const StateView state = simulation.state();
-    std::vector<Vec2> positions(state.x.size());
-    for (std::size_t i = 0; i < state.x.size(); ++i) positions[state.id[i]] = {state.x[i], state.y[i]};
-    return positions;
-}
 
 std::vector<Vec2> positions_at(const Scene& scene, double until) {
     Simulation simulation(scene);
@@ -36,25 +30,6 @@ constexpr int slab_columns = 300;
 constexpr int slab_rows = 10;
 constexpr double slab_spacing = 0.005;
 
-/// Mean of a component along the plane over the middle fifth of a slab.
-double slab_mean(const Simulation& simulation, double slope, std::span<const double> x,
-                 std::span<const double> y) {
-    const StateView state = simulation.state();
-    double sum = 0.0;
-    int count = 0;
-    for (std::size_t i = 0; i < state.x.size(); ++i) {
-        const int column = state.id[i] / slab_rows;  // packing goes column by column
-        if (column < 2 * slab_columns / 5 || column >= 3 * slab_columns / 5) continue;
-        sum += x[i] * std::cos(slope) - y[i] * std::sin(slope);
-        ++count;
-    }
-    return sum / count;
-}
-
-double slab_speed(const Simulation& simulation, double slope) {
-    return slab_mean(simulation, slope, simulation.state().vx, simulation.state().vy);
-}
-
 /// Greatest relative deviation of speed / time from `exact` within a tenth of a second.
 double slab_deviation(const Scene& scene, double slope, double exact) {
     Simulation simulation(scene);
@@ -64,7 +39,8 @@ double slab_deviation(const Scene& scene, double slope, double exact) {
         simulation.step();
         if (simulation.time() < next) continue;
         next += 0.01;
-        const double deviation = slab_speed(simulation, slope) / simulation.time() / exact - 1.0;
+        const double deviation =
+            slab_speed(simulation, slab_columns, slab_rows, slope) / simulation.time() / exact - 1.0;
         if (std::abs(deviation) > std::abs(worst)) worst = deviation;
     }
     return worst;

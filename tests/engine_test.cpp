@@ -85,6 +85,16 @@ TEST(BedLineTest, SignedDistanceAtSegmentsAndCorners) {
     EXPECT_EQ(BedLine({{0, 1}, {0, 0}, {1, 0}}).elevation(0.0), 1.0);
 }
 
+// Soil above the top of a wall that ends the section was taken for soil deep in the wall.
+TEST(BedLineTest, BeyondAFreeEndThereIsNoBed) {
+    const BedLine bed({{0, 1}, {0, 0}, {1, 0}});
+    EXPECT_NEAR(bed.nearest({-0.01, 1.2}).distance, std::hypot(0.01, 0.2), 1e-15);
+    EXPECT_NEAR(bed.nearest({1.2, -0.01}).distance, std::hypot(0.01, 0.2), 1e-15);
+    EXPECT_NEAR(bed.nearest({-0.01, 0.9}).distance, -0.01, 1e-15);
+    const BedLine square({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, true);
+    EXPECT_NEAR(square.nearest({-0.1, -0.1}).distance, -std::hypot(0.1, 0.1), 1e-15);
+}
+
 TEST(WallTest, StandsHalfASpacingBehindTheLineAndFillsTheLattice) {
     const Filled f(20);
     for (int b = 0; b < f.wall.boundary_count; ++b) {

@@ -108,12 +108,12 @@ TEST_F(RunPageTest, ARunWithoutPicturesSaysSo) {
 
 TEST_F(RunPageTest, EffectsAreOnOnlyWhereTheCaseNamesThem) {
     Scene scene = example_scene();
-    EXPECT_TRUE(
-        contains(effects_section(stored(scene, example_result())).body, "base friction</th><td>off</td>"));
-    scene.effects.base_friction = BaseFriction{0.25};
-    const std::string on = effects_section(stored(scene, example_result())).body;
-    EXPECT_TRUE(contains(on, "base friction</th><td>on</td>"));
-    EXPECT_TRUE(contains(on, "base friction angle 14.32 deg"));
+    RunResult result = example_result();
+    EXPECT_TRUE(contains(effects_section(stored(scene, result)).body, "base friction</th><td>off</td>"));
+    scene.effects.base_friction = BaseFriction{radians(14.5)};
+    result.effects = {{"base_friction", true, "the bed slides", 0.25}};
+    const std::string on = effects_section(stored(scene, result)).body;
+    EXPECT_TRUE(contains(on, "base friction</th><td>on</td><td>the bed slides (angle_deg = 14.5)"));
     EXPECT_TRUE(contains(on, "release</th><td>off</td>"));
 }
 
@@ -216,7 +216,7 @@ TEST(Html, ColumnsBecomeWordsAndUnits) {
 
 // ---- what later versions store beside the run
 
-TEST_F(RunPageTest, ShowsErrorBarsEffectsAdviceAndGaugesThatAreStored) {
+TEST_F(RunPageTest, ShowsErrorBarsAdviceAndGaugesThatAreStored) {
     RunData run = stored();
     EXPECT_EQ(numerical_error_words(run), "not estimated");
     std::erase_if(run.facts,
@@ -225,10 +225,6 @@ TEST_F(RunPageTest, ShowsErrorBarsEffectsAdviceAndGaugesThatAreStored) {
     run.facts.push_back({"run", "run_out_error_m", "", 0.42});
     run.facts.push_back({"run", "error_note", "", std::string("from four lattices")});
     run.further = {
-        {"run_effect",
-         "",
-         {"effect", "is_on", "why", "cost_s"},
-         {{std::string("side_walls"), 1L, std::string("named"), 0.5}}},
         {"advice", "", {"sentence"}, {{std::string("rate may matter")}}},
         {"gauge", "", {"gauge_index", "name", "chainage_m"}, {{0L, std::string("house <1>"), 12.5}}},
         {"gauge_series",
@@ -238,7 +234,6 @@ TEST_F(RunPageTest, ShowsErrorBarsEffectsAdviceAndGaugesThatAreStored) {
         {"pilot", "Coarse runs.", {"resolution"}, {{8.0}}}};
     EXPECT_EQ(numerical_error_words(run), "run-out ± 0.42 m; from four lattices");
     EXPECT_TRUE(contains(answer_section(run).body, "± 0.42"));
-    EXPECT_TRUE(contains(effects_section(run).body, "side walls</th><td>on</td><td>named</td>"));
     EXPECT_TRUE(contains(warnings_section(run).body, "rate may matter"));
     const PageSection gauges = gauges_section(run);
     EXPECT_TRUE(contains(gauges.body, "house &lt;1&gt;"));

@@ -376,7 +376,8 @@ void take_back_to_version_three(SQLite::Database& database) {
         "DROP TABLE study_scenario; DROP TABLE study; DROP VIEW result; DROP VIEW ladder_rung; DROP TABLE "
         "pilot; DROP TABLE ladder_run;"
         " DROP TABLE ladder_verdict; DROP TABLE ladder;"
-        "DROP TABLE effect_setting; DROP TABLE run_effect; DROP TABLE advice; DROP TABLE gauge_series; DROP "
+        "DROP TABLE invariant; DROP TABLE effect_setting; DROP TABLE run_effect; DROP TABLE advice; DROP "
+        "TABLE gauge_series; DROP "
         "TABLE "
         "gauge; DROP TABLE barrier_series; DROP TABLE barrier; ALTER TABLE run DROP COLUMN spared_share;"
         "ALTER TABLE measure DROP COLUMN eroded_area_m2; PRAGMA user_version = 3");
@@ -392,7 +393,7 @@ void take_back_to_version_one(SQLite::Database& database) {
     take_back_to_version_three(database);
     database.exec(
         "ALTER TABLE run DROP COLUMN line_id; DROP TABLE map_line_point; DROP TABLE map_line_attribute;"
-        "DROP TABLE map_line; DROP TABLE snapshot; DROP TABLE stage; DROP TABLE frame; DROP TABLE invariant; "
+        "DROP TABLE map_line; DROP TABLE snapshot; DROP TABLE stage; DROP TABLE frame; "
         "PRAGMA user_version = "
         "1");
     for (const char* column : {"lattice_seed", "snapshot_times_s", "base_friction_angle_deg",
@@ -434,6 +435,20 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     EXPECT_EQ(store.pilots(second).size(), 1u);
     EXPECT_EQ(store.snapshots(second).size(), result.snapshots.size());
     EXPECT_EQ(store.stages(second).size(), result.stages.size());
+}
+
+TEST_F(StoreTest, EffectsOfAnOlderFileAreKnownToBeOn) {
+    Scene scene = example_scene();
+    scene.effects.base_friction = BaseFriction{radians(12.5)};
+    const long id = add(scene, example_result());
+    {
+        SQLite::Database file = raw();
+        take_back_to_version_three(file);
+    }
+    const StoredRun run = Store(path, Store::Mode::write).run(id);
+    for (const EffectRow& effect : run.effects)
+        EXPECT_EQ(effect.on, effect.name == "base_friction") << effect.name;
+    EXPECT_EQ(settings_text(run.effect_settings, "base_friction"), "angle_deg = 12.5");
 }
 
 TEST_F(StoreTest, MigrationsLeadToTheVersionOfTheSchema) {

@@ -507,6 +507,23 @@ TEST_F(StoreTest, WritesEffectsAndLeavesAbsentOnesNull) {
     EXPECT_EQ(rows.getColumn(5).getDouble(), 0.01);
 }
 
+TEST_F(StoreTest, KeepsTheEffectsThatWereOnAndTheirSettings) {
+    Scene scene = example_scene();
+    RunResult result = example_result();
+    scene.effects.cohesion = Cohesion{.strength = 5000};
+    result.effects = {{"rate", false, "off", std::nan("")}, {"cohesion", true, "glue", 0.25}};
+    const long run_id = add(scene, result);
+    EXPECT_EQ(count("run_effect"), 1) << "what was off takes no room";
+    const StoredRun run = Store(path, Store::Mode::read).run(run_id);
+    EXPECT_EQ(run.effects.size(), effect_states({}, 0).size());
+    for (const EffectRow& effect : run.effects)
+        EXPECT_EQ(effect.on, effect.name == "cohesion") << effect.name;
+    const auto glue = std::ranges::find(run.effects, "cohesion", &EffectRow::name);
+    EXPECT_EQ(glue->why, "glue");
+    EXPECT_EQ(glue->cost_s, 0.25);
+    EXPECT_EQ(settings_text(run.effect_settings, "cohesion"), "cohesion_kpa = 5");
+}
+
 TEST_F(StoreTest, FindsTheLatestRunOfAScenarioThatWasNotInterrupted) {
     const std::string hash = scenario_hash(example_scene());
     EXPECT_EQ(Store(path, Store::Mode::write).find_run(hash), std::nullopt);

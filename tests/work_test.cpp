@@ -45,6 +45,17 @@ TEST(Work, StepsDoNotAllocateOnceTheyAreWarm) {
     EXPECT_LE(allocations - before, 5);
 }
 
+TEST(Work, FreeFlightDoesNotAllocate) {
+    Scene scene = scenes::aluminium_column(21.9, 0.004);
+    for (Vec2& corner : scene.source.outline) corner += Vec2{0.1, 0.3};  // off bed and wall
+    Simulation simulation(scene);
+    while (simulation.time() < 0.05) simulation.step();
+    const long before = allocations;
+    while (simulation.time() < 0.15) simulation.step();
+    EXPECT_EQ(simulation.work().spared_particle_steps, simulation.work().particle_steps);
+    EXPECT_EQ(allocations - before, 0);
+}
+
 TEST(Work, AColumnTakesSoManyStepsAndIterations) {
     Scene scene = scenes::aluminium_column(21.9, 0.004);
     Simulation simulation(scene);

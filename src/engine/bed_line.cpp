@@ -24,11 +24,13 @@ BedLine::Nearest BedLine::nearest(const Vec2& point, int segment, int reach) con
     Nearest best;
     double best2 = std::numeric_limits<double>::infinity();
     Vec2 offset{0, 0};
+    bool beyond_end = false;
     for (int s = first; s <= last; ++s) {
         const int seg = (s + count) % count;
         const Vec2 a = start(seg);
         const Vec2 along = end(seg) - a;
-        const double u = std::clamp((point - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        const double at = (point - a).dot(along) / along.squaredNorm();
+        const double u = std::clamp(at, 0.0, 1.0);
         const Vec2 from = point - (a + u * along);
         const double d2 = from.squaredNorm();
         // At a shared vertex both segments are equally near; their normals add up to the vertex normal.
@@ -37,13 +39,14 @@ BedLine::Nearest BedLine::nearest(const Vec2& point, int segment, int reach) con
             best.segment = seg;
             best.normal = normal(seg);
             offset = from;
+            beyond_end = !closed_ && ((seg == 0 && at < 0.0) || (seg == count - 1 && at > 1.0));
         } else if (d2 <= best2 * (1.0 + 1e-12)) {
             best.normal += normal(seg);
         }
     }
     best.normal.normalize();
     const double distance = std::sqrt(best2);
-    const bool inside = offset.dot(best.normal) < 0.0;
+    const bool inside = !beyond_end && offset.dot(best.normal) < 0.0;
     best.distance = inside ? -distance : distance;
     return best;
 }

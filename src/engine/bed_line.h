@@ -11,7 +11,7 @@ class BedLine {
     explicit BedLine(Polyline points, bool closed = false);
 
     struct Nearest {
-        double distance = 0;  ///< signed: positive on the soil's side, m
+        double distance = 0;  ///< signed: positive on the soil's side and beyond a free end, m
         Vec2 normal{0, 1};    ///< unit, into the soil's side, at the nearest point
         int segment = 0;
     };

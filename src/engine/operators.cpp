@@ -2,12 +2,20 @@
 
 #include <algorithm>
 
+#include "engine/node_array.h"
+
 namespace runout {
 
 PairRows pair_rows(const PairBlock& block, const Neighbours& n) {
     const int rows = std::min(rows_per_block, n.first_boundary - block.first_row);
     return {block.first_row, rows / lanes,    block.offset,          block.column.data(),
             block.gx.data(), block.gy.data(), block.stiffness.data()};
+}
+
+void soil_velocities(const Neighbours& n, const Soil& soil, std::vector<FloatPair>& velocity) {
+    set_all(velocity, n.nodes, FloatPair{});
+    for (int i = 0; i < soil.count; ++i)
+        velocity[i] = {static_cast<float>(soil.vx[i]), static_cast<float>(soil.vy[i])};
 }
 
 VelocityGradient boundary_velocity_gradient(const Neighbours& n, int a, const FloatPair* velocity) {

@@ -2,6 +2,7 @@
 
 #include "engine/neighbours.h"
 #include "engine/pair_kernels.h"
+#include "engine/soil.h"
 
 namespace runout {
 
@@ -26,6 +27,9 @@ struct VelocityGradient {
 
 /// The block's pairs as the kernels take them.
 PairRows pair_rows(const PairBlock& block, const Neighbours& n);
+
+/// On return `velocity` has every node's velocity as the kernels take it: none but the soil moves.
+void soil_velocities(const Neighbours& n, const Soil& soil, std::vector<FloatPair>& velocity);
 
 /// Calls f(i, gradient) with the plain velocity gradient of every soil row i of the block.
 template <class Function>

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/pressure_solver.h"
+
 namespace runout {
 namespace {
 
 constexpr double column_spacings = 2.0;
-constexpr double body_density = 0.6;  // spray above the body does not load it
 
 /// Linear between the points, constant beyond them.
 double interpolate(const std::vector<Vec2>& points, double x) {

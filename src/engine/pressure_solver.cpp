@@ -15,7 +15,6 @@ constexpr double coarse_cell_spacings = 4.0;
 constexpr double coarse_scale = 1.5;  // makes up for the piecewise constant coarse space
 constexpr int steps_per_coarse_build = 15;
 constexpr int boundary_chunk = 64;
-constexpr double tension_density = 0.6;  // loose grains do not pull at each other
 
 }  // namespace
 
@@ -111,7 +110,7 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
 /// their share too, so that p comes to rest at theirs.
 void PressureSolver::free_surface_of_traction(const Neighbours& n, const Soil& soil, double memory) {
     for (int i = 0; i < n.soil_count; ++i) {
-        if (n.density[i] >= surface_density || n.density[i] < tension_density) continue;
+        if (n.density[i] >= surface_density || n.density[i] < body_density) continue;
         const double nx = n.surface_x[i];
         const double ny = n.surface_y[i];
         const double size2 = nx * nx + ny * ny;
@@ -242,7 +241,7 @@ void PressureSolver::cut_off_tension(const Neighbours& n) {
         return;
     }
     for (int i = 0; i < n.nodes; ++i)
-        pressure_[i] = std::max(pressure_[i], n.density[i] < tension_density ? 0.0 : -tension_);
+        pressure_[i] = std::max(pressure_[i], n.density[i] < body_density ? 0.0 : -tension_);
 }
 
 PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,

@@ -12,6 +12,9 @@ namespace runout {
 /// Density ratio below which a particle belongs to the free surface (the paper's 0.97).
 constexpr double surface_density = 0.97;
 
+/// Density ratio below which a particle flies alone: it does not load, pull at or pace the others.
+constexpr double body_density = 0.6;
+
 /// How a pressure solve is to be done.
 struct PressureStep {
     double dt = 0;

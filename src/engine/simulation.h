@@ -132,7 +132,7 @@ class Simulation {
     [[nodiscard]] double choose_time_step();
     [[nodiscard]] FrictionStep friction_step(double dt, int iterations = 0);
     void find_pressure_gradient();
-    [[nodiscard]] bool in_free_flight() const;
+    [[nodiscard]] bool in_free_flight();
     PressureSolve fly(double dt);
     PressureSolve resist(double dt);
     void correct(double dt);
@@ -145,7 +145,7 @@ class Simulation {
     [[nodiscard]] double greatest_displacement() const;
     void end(RunStatus status, std::string detail = {});
 
-    [[nodiscard]] bool in_body(int i) const { return neighbours_.density[i] >= 0.6; }
+    [[nodiscard]] bool in_body(int i) const { return neighbours_.density[i] >= body_density; }
 
     int threads_;
     RunSettings run_;
@@ -179,6 +179,7 @@ class Simulation {
     std::vector<char> resting_layer_;  ///< per soil particle
     std::vector<EffectCost> effect_costs_;
     PressureSolver pressure_;
+    std::vector<FloatPair> flight_velocity_;
     std::vector<double> predicted_vx_, predicted_vy_;
     std::vector<double> force_x_, force_y_;
     std::vector<double> partial_;

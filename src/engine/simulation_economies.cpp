@@ -16,16 +16,16 @@ constexpr double no_compression = 1e-3;  // density above rho_0, or gained in sq
 
 /// Nothing touches the bed, bears pressure or is being compressed: friction and pressure are then both
 /// nothing. Cohesive soil holds together by itself.
-bool Simulation::in_free_flight() const {
+bool Simulation::in_free_flight() {
     const double weight = discretisation_.density * run_.gravity * length_scale_;
     if (!neighbours_.active.empty() || highest_pressure_ > no_pressure * weight) return false;
     if (effects_.cohesion && effects_.cohesion->strength > 0.0) return false;
-    std::vector<FloatPair> velocity(neighbours_.nodes, FloatPair{});
-    for (int i = 0; i < soil_.count; ++i)
-        velocity[i] = {static_cast<float>(soil_.vx[i]), static_cast<float>(soil_.vy[i])};
-    std::vector<double> divergence(neighbours_.nodes, 0.0);
+    soil_velocities(neighbours_, soil_, flight_velocity_);
+    std::vector<double>& divergence = predicted_vx_;  // in a place that is not in use yet
+    set_all(divergence, neighbours_.nodes, 0.0);
     for (const PairBlock& block : neighbours_.blocks)
-        pair_kernels().velocity_divergence(pair_rows(block, neighbours_), velocity.data(), divergence.data());
+        pair_kernels().velocity_divergence(pair_rows(block, neighbours_), flight_velocity_.data(),
+                                           divergence.data());
     for (int i = 0; i < soil_.count; ++i)
         if (neighbours_.density[i] - 1.0 > no_compression || -divergence[i] * time_scale_ > no_compression)
             return false;

@@ -126,9 +126,8 @@ double Simulation::eroded_area() const {
 }
 
 std::vector<double> Simulation::strain_rate() const {
-    std::vector<FloatPair> velocity(neighbours_.nodes, FloatPair{});
-    for (int i = 0; i < soil_.count; ++i)
-        velocity[i] = {static_cast<float>(soil_.vx[i]), static_cast<float>(soil_.vy[i])};
+    std::vector<FloatPair> velocity;
+    soil_velocities(neighbours_, soil_, velocity);
     std::vector<double> rate(soil_.count, 0.0);
     for (const PairBlock& block : neighbours_.blocks) {
         for_each_velocity_gradient(block, neighbours_, velocity.data(),

@@ -1,6 +1,7 @@
 #include "engine/velocity_filter.h"
 
 #include "engine/node_array.h"
+#include "engine/operators.h"
 #include "engine/strain_rate.h"
 
 namespace runout {
@@ -12,9 +13,7 @@ constexpr double share = 0.25;  // of the difference to the neighbours in a step
 
 void VelocityFilter::find_gradients(const Neighbours& n, const Wall& wall, const BedLine& bed,
                                     const Soil& soil) {
-    set_all(velocity_, n.nodes, FloatPair{});
-    for (int i = 0; i < soil.count; ++i)
-        velocity_[i] = {static_cast<float>(soil.vx[i]), static_cast<float>(soil.vy[i])};
+    soil_velocities(n, soil, velocity_);
     set_all(gradient_, soil.count, VelocityGradient{});
     for (const PairBlock& block : n.blocks) {
         for_each_velocity_gradient(block, n, velocity_.data(), [&](int i, const VelocityGradient& plain) {

@@ -10,15 +10,13 @@ namespace runout {
 namespace {
 
 constexpr double near_spacings = 4.0;  // soil that climbs the face is no further from it
-constexpr double body_density = 0.6;
 
 }  // namespace
 
-BarrierRecorder::BarrierRecorder(const Scene& scene, double interval)
+BarrierRecorder::BarrierRecorder(const Scene& scene, double interval, double front_thickness)
     : barrier_(*scene.effects.barrier),
       density_(scene.material.density),
-      front_thickness_(scene.run.front_thickness > 0 ? scene.run.front_thickness
-                                                     : 0.03 * std::sqrt(scene.source.area)),
+      front_thickness_(front_thickness),
       interval_(interval),
       due_(interval) {
     const Polyline outline = barrier_outline(scene.source.bed, barrier_);

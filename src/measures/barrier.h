@@ -10,7 +10,7 @@ namespace runout {
 class BarrierRecorder {
   public:
     /// `interval`: between stored rows, s; also the time over which the stored force is averaged.
-    BarrierRecorder(const Scene& scene, double interval);
+    BarrierRecorder(const Scene& scene, double interval, double front_thickness);
 
     void sample(const Simulation& simulation, bool always = false);
     [[nodiscard]] BarrierRecord record() const { return record_; }

@@ -149,7 +149,7 @@ class Recorders {
           advisor_(scene, simulation.time_scale() / looks_per_time_scale) {
         const double interval = simulation.time_scale() / samples_per_time_scale;
         if (!scene.gauges.empty()) gauges_.emplace(scene.gauges, interval, front_threshold(scene));
-        if (scene.effects.barrier) barrier_.emplace(scene, interval);
+        if (scene.effects.barrier) barrier_.emplace(scene, interval, front_threshold(scene));
         series_.sample(simulation, true);
         sample_gauges(simulation, true);
     }

@@ -21,15 +21,6 @@ struct EffectsArguments {
     bool json = false;
 };
 
-/// "cohesion_kpa = 5, tension_cut_off_kpa = 2"
-std::string settings_of(const std::vector<EffectSetting>& settings, const std::string& effect) {
-    std::string text;
-    for (const EffectSetting& setting : settings)
-        if (setting.effect == effect)
-            text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", setting.key, setting.value);
-    return text.size() > 90 ? text.substr(0, 87) + "..." : text;
-}
-
 std::string cost_text(const MeasuredEffect& effect) {
     if (!effect.on) return "nothing";
     if (std::isnan(effect.share)) return "not measured";
@@ -42,7 +33,7 @@ std::string text_of(const Scene& scene, const std::vector<MeasuredEffect>& effec
     std::string text = fmt::format("Effects of {}: what the case does not name is not there.\n", scene.name);
     text += fmt::format("  {:<14} {:<4} {:<16} {}\n", "effect", "", "costs", "why");
     for (const MeasuredEffect& effect : effects) {
-        const std::string given = settings_of(settings, effect.name);
+        const std::string given = settings_text(settings, effect.name);
         text += fmt::format("  {:<14} {:<4} {:<16} {}{}\n", effect.name, effect.on ? "on" : "off",
                             cost_text(effect), effect.why, given.empty() ? "" : " (" + given + ")");
     }

@@ -3,53 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 #include "report/html.h"
 #include "report/run_page_parts.h"
-#include "scene/parameters.h"
 
 namespace runout {
 namespace {
-
-constexpr std::string_view effect_prefix = "effects.";
-
-struct EffectKey {
-    std::string effect;  ///< "base_friction"
-    std::string column;  ///< of the table scenario: "base_friction_angle_deg"
-};
-
-/// The keys that name effects, by the columns that hold them.
-std::vector<EffectKey> effect_keys() {
-    std::vector<EffectKey> keys;
-    for (const Parameter& parameter : parameters()) {
-        if (!parameter.key.starts_with(effect_prefix)) continue;
-        std::string rest(parameter.key.substr(effect_prefix.size()));
-        EffectKey key{rest.substr(0, rest.find('.')), rest};
-        std::ranges::replace(key.column, '.', '_');
-        keys.push_back(std::move(key));
-    }
-    return keys;
-}
-
-std::string short_text(const StoredValue& value) {
-    const double number = number_of(value);
-    return std::isfinite(number) ? html_number(number) : stored_text(value);
-}
-
-/// "angle 25 deg, ...", empty when the case does not name the effect.
-std::string settings_of(const RunData& run, const std::string& effect) {
-    std::string text;
-    for (const EffectKey& key : effect_keys()) {
-        if (key.effect != effect) continue;
-        const StoredValue value = fact_of(run, "scenario", key.column);
-        if (std::holds_alternative<std::monostate>(value)) continue;
-        const ColumnWords words = column_words(key.column);
-        text += fmt::format("{}{} {}{}{}", text.empty() ? "" : ", ", words.words, short_text(value),
-                            words.unit.empty() ? "" : " ", words.unit);
-    }
-    return text;
-}
 
 HtmlRow effect_row(const std::string& name, bool on, const std::string& why) {
     return {text_cell(name), text_cell(on ? "on" : "off"), text_cell(why)};
@@ -62,34 +21,6 @@ std::string with_spaces(std::string name) {
 
 constexpr std::array inputs = {"section", "source", "scenario"};
 
-/// As the run itself stored them.
-std::vector<HtmlRow> stored_effects(const StoredTable& table) {
-    std::vector<HtmlRow> rows;
-    for (const auto& row : table.rows) {
-        const double cost = number_of(cell_of(table, row, "cost_s"));
-        rows.push_back(effect_row(with_spaces(stored_text(cell_of(table, row, "effect"))),
-                                  number_of(cell_of(table, row, "is_on")) == 1,
-                                  stored_text(cell_of(table, row, "why"))));
-        rows.back().push_back(number_cell(cost, 3));
-    }
-    return rows;
-}
-
-/// A run that stored no list of its own: what its scenario names.
-std::vector<HtmlRow> named_effects(const RunData& run) {
-    std::vector<HtmlRow> rows;
-    std::set<std::string> seen;
-    for (const EffectKey& key : effect_keys()) {
-        if (!seen.insert(key.effect).second) continue;
-        const std::string settings = settings_of(run, key.effect);
-        rows.push_back(effect_row(with_spaces(key.effect), !settings.empty(),
-                                  settings.empty()
-                                      ? "the case does not name it, so it does not exist in this run"
-                                      : "named in the case: " + settings));
-    }
-    return rows;
-}
-
 bool is_shown_elsewhere(const std::string& table) {
     return table == "run_effect" || table == "advice" || table == "gauge" || table.ends_with("_series");
 }
@@ -100,11 +31,13 @@ PageSection effects_section(const RunData& run) {
     std::vector<HtmlRow> rows;
     for (const char* core : {"gravity", "Coulomb friction", "incompressibility", "rigid bed"})
         rows.push_back(effect_row(core, true, "always: the core of the model"));
-    const StoredTable* stored = further_table(run, "run_effect");
-    const std::vector<HtmlRow> more = stored != nullptr ? stored_effects(*stored) : named_effects(run);
-    rows.insert(rows.end(), more.begin(), more.end());
-    std::vector<std::string> head = {"effect", "", "why"};
-    if (stored != nullptr) head.emplace_back("its own work, s");
+    for (const EffectRow& effect : run.run.effects) {
+        const std::string settings = settings_text(run.run.effect_settings, effect.name);
+        rows.push_back(effect_row(with_spaces(effect.name), effect.on,
+                                  effect.why + (settings.empty() ? "" : " (" + settings + ")")));
+        rows.back().push_back(number_cell(effect.cost_s, 3));
+    }
+    const std::vector<std::string> head = {"effect", "", "why", "its own work, s"};
     for (HtmlRow& row : rows) row.resize(head.size(), text_cell(""));
     return {"effects", "Effects: what was simulated and what not", html_table("Effects", head, rows), {}, {}};
 }

@@ -161,6 +161,14 @@ std::vector<EffectSetting> effect_settings(const Effects& effects, const Profile
     return out.take();
 }
 
+std::string settings_text(const std::vector<EffectSetting>& settings, const std::string& effect) {
+    std::string text;
+    for (const EffectSetting& setting : settings)
+        if (setting.effect == effect)
+            text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", setting.key, setting.value);
+    return text.size() > 90 ? text.substr(0, 87) + "..." : text;
+}
+
 std::vector<EffectState> effect_states(const Effects& effects, std::size_t gauges) {
     const auto state = [](const char* name, bool on, const char* with, const char* without) {
         return EffectState{name, on, on ? with : without};

@@ -20,6 +20,10 @@ struct EffectSetting {
 /// have none.
 std::vector<EffectSetting> effect_settings(const Effects& effects, const Profile& profile);
 
+/// "cohesion_kpa = 5, tension_cut_off_kpa = 2" of one effect, cut short where it is long; empty when there
+/// are none.
+std::string settings_text(const std::vector<EffectSetting>& settings, const std::string& effect);
+
 /// One effect of the program: whether the case asks for it, and what it says when it does not.
 struct EffectState {
     std::string name;  ///< "pore_pressure", as in the case file

@@ -47,6 +47,7 @@ StoredRun describe_run(const Scene& scene, const RunResult& result, const Apprai
     run.measures = result.measures;
     run.work = result.work;
     run.effects = result.effects;
+    run.effect_settings = effect_settings(scene.effects, scene.profile);
     run.advice = result.advice;
     run.gauges = result.gauges;
     run.barriers = result.barriers;

@@ -5,6 +5,7 @@
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/VariadicBind.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "scene/effect_settings.h"
@@ -115,6 +116,34 @@ void select_barrier(Database& database, StoredRun& run) {
     }
 }
 
+/// The effects that were on, among all that the program knows.
+std::vector<EffectRow> select_states(Database& database, long run_id) {
+    std::vector<EffectRow> rows;
+    for (const EffectState& off : effect_states({}, 0))
+        rows.push_back({off.name, off.on, off.meaning, std::numeric_limits<double>::quiet_NaN()});
+    Statement effect(database, "SELECT effect, why, cost_s FROM run_effect WHERE run_id = ?");
+    effect.bind(1, run_id);
+    while (effect.executeStep()) {
+        const std::string name = effect.getColumn(0).getString();
+        const auto row = std::ranges::find(rows, name, &EffectRow::name);
+        if (row != rows.end())
+            *row = {name, true, effect.getColumn(1).getString(), real(effect.getColumn(2))};
+    }
+    return rows;
+}
+
+std::vector<EffectSetting> select_settings(Database& database, long run_id) {
+    Statement setting(database,
+                      "SELECT effect, key, value FROM run JOIN effect_setting USING (scenario_id)"
+                      " WHERE run_id = ? ORDER BY setting_index");
+    setting.bind(1, run_id);
+    std::vector<EffectSetting> settings;
+    while (setting.executeStep())
+        settings.push_back({setting.getColumn(0).getString(), setting.getColumn(1).getString(),
+                            setting.getColumn(2).getString()});
+    return settings;
+}
+
 }  // namespace
 
 void insert_effect_settings(Database& database, long scenario_id, const Scene& scene) {
@@ -128,11 +157,10 @@ void insert_effect_settings(Database& database, long scenario_id, const Scene& s
 
 void insert_effects(Database& database, long run_id, const RunResult& result) {
     Statement effect(
-        database,
-        "INSERT INTO run_effect (run_id, row_index, effect, is_on, why, cost_s) VALUES (?, ?, ?, ?, ?, ?)");
+        database, "INSERT INTO run_effect (run_id, row_index, effect, why, cost_s) VALUES (?, ?, ?, ?, ?)");
     long i = 0;
     for (const EffectRow& row : result.effects)
-        insert(effect, run_id, i++, row.name, static_cast<int>(row.on), row.why, row.cost_s);
+        if (row.on) insert(effect, run_id, i++, row.name, row.why, row.cost_s);
     Statement advice(database, "INSERT INTO advice (run_id, row_index, sentence) VALUES (?, ?, ?)");
     i = 0;
     for (const std::string& sentence : result.advice) insert(advice, run_id, i++, sentence);
@@ -142,12 +170,8 @@ void insert_effects(Database& database, long run_id, const RunResult& result) {
 }
 
 void select_effects(Database& database, StoredRun& run) {
-    Statement effect(database,
-                     "SELECT effect, is_on, why, cost_s FROM run_effect WHERE run_id = ? ORDER BY row_index");
-    effect.bind(1, run.run_id);
-    while (effect.executeStep())
-        run.effects.push_back({effect.getColumn(0).getString(), effect.getColumn(1).getInt() != 0,
-                               effect.getColumn(2).getString(), real(effect.getColumn(3))});
+    run.effects = select_states(database, run.run_id);
+    run.effect_settings = select_settings(database, run.run_id);
     Statement advice(database, "SELECT sentence FROM advice WHERE run_id = ? ORDER BY row_index");
     advice.bind(1, run.run_id);
     while (advice.executeStep()) run.advice.push_back(advice.getColumn(0).getString());

@@ -204,7 +204,6 @@ CREATE TABLE run_effect (
     run_id     INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
     row_index  INTEGER NOT NULL,
     effect     TEXT NOT NULL,
-    is_on      INTEGER NOT NULL CHECK (is_on IN (0, 1)),
     why        TEXT NOT NULL,
     cost_s     REAL,
     PRIMARY KEY (run_id, row_index)
@@ -263,6 +262,20 @@ CREATE TABLE barrier_series (
     impulse_x_n_s_m  REAL,
     PRIMARY KEY (run_id, row_index)
 ) STRICT, WITHOUT ROWID;
+INSERT INTO effect_setting
+SELECT scenario_id, 0, 'base_friction', 'angle_deg', CAST(base_friction_angle_deg AS TEXT) FROM scenario
+WHERE base_friction_angle_deg IS NOT NULL
+UNION ALL SELECT scenario_id, 1, 'release', 'layers', CAST(release_layers AS TEXT) FROM scenario
+WHERE release_layers IS NOT NULL
+UNION ALL SELECT scenario_id, 2, 'release', 'layer_width_m', CAST(release_layer_width_m AS TEXT) FROM scenario
+WHERE release_layers IS NOT NULL
+UNION ALL SELECT scenario_id, 3, 'release', 'layer_height_m', CAST(release_layer_height_m AS TEXT) FROM scenario
+WHERE release_layers IS NOT NULL;
+INSERT INTO run_effect
+SELECT run_id, 0, 'base_friction', 'the bed has a friction of its own', NULL FROM run JOIN scenario USING (scenario_id)
+WHERE base_friction_angle_deg IS NOT NULL
+UNION ALL SELECT run_id, 1, 'release', 'several releases, one after the other', NULL
+FROM run JOIN scenario USING (scenario_id) WHERE release_layers IS NOT NULL;
 )"},
     };
     return steps;

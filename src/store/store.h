@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "measures/measures.h"
+#include "scene/effect_settings.h"
 #include "scene/scene.h"
 #include "store/merge.h"
 #include "store/study_rows.h"
@@ -68,7 +69,8 @@ struct StoredRun {
     Measures measures;
     RunWork work;
     // Of a run that is looked at by itself; left out where runs are listed.
-    std::vector<EffectRow> effects;
+    std::vector<EffectRow> effects;              ///< all that the program knows, on or off
+    std::vector<EffectSetting> effect_settings;  ///< of those that were on
     std::vector<std::string> advice;
     std::vector<GaugeRecord> gauges;
     std::vector<BarrierRecord> barriers;  ///< one, or none

@@ -9,16 +9,10 @@
 
 #include "engine/simulation.h"
 #include "hard/hard_scenes.h"
+#include "observe.h"
 
 namespace runout {
 namespace {
-
-std::vector<Vec2> positions_by_id(const Simulation& simulation) {
-    const StateView state = simulation.state();
-    std::vector<Vec2> positions(state.x.size());
-    for (std::size_t i = 0; i < state.x.size(); ++i) positions[state.id[i]] = {state.x[i], state.y[i]};
-    return positions;
-}
 
 /// Height of the source above the lowest bed, m.
 double fall_height(const Scene& scene) {
