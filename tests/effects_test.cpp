@@ -401,7 +401,7 @@ TEST(FreeFlight, NeedsNoFrictionAndNoPressureUntilItLands) {
     Simulation simulation(scene);
     const std::vector<Vec2> start = positions_by_id(simulation);
     while (simulation.time() < 0.12) simulation.step();
-    EXPECT_EQ(simulation.work().spared_particle_steps, simulation.work().particle_steps);
+    EXPECT_EQ(simulation.work().flying_particle_steps, simulation.work().particle_steps);
     EXPECT_EQ(simulation.work().pressure_iterations, 0);
     const std::vector<Vec2> now = positions_by_id(simulation);
     const Vec2 fall = now[0] - start[0];
@@ -409,7 +409,7 @@ TEST(FreeFlight, NeedsNoFrictionAndNoPressureUntilItLands) {
     for (std::size_t i = 0; i < now.size(); ++i) EXPECT_LT((now[i] - start[i] - fall).norm(), 1e-9);
     while (simulation.status() == RunStatus::running) simulation.step();
     EXPECT_EQ(simulation.status(), RunStatus::settled) << simulation.status_detail();
-    EXPECT_LT(simulation.work().spared_particle_steps, 0.5 * simulation.work().particle_steps);
+    EXPECT_LT(simulation.work().flying_particle_steps, 0.5 * simulation.work().particle_steps);
 }
 
 TEST(Combinations, EveryPairRunsToItsEndAndKeepsTheInvariants) {

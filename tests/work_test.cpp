@@ -52,7 +52,7 @@ TEST(Work, FreeFlightDoesNotAllocate) {
     while (simulation.time() < 0.05) simulation.step();
     const long before = allocations;
     while (simulation.time() < 0.15) simulation.step();
-    EXPECT_EQ(simulation.work().spared_particle_steps, simulation.work().particle_steps);
+    EXPECT_EQ(simulation.work().flying_particle_steps, simulation.work().particle_steps);
     EXPECT_EQ(allocations - before, 0);
 }
 

@@ -81,11 +81,9 @@ void Friction::save(const Neighbours& n, Soil& soil, Wall& wall) const {
 void Friction::apply_pressure(const Neighbours& n, const Soil& soil, const FrictionStep& step) {
     const double scale = step.dt / discretisation_.density;
     const Vec2 gain = step.dt * step.body;
-    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        pair_kernels().pressure_gradient(pair_rows(n.blocks[b], n), pressure_.data(), pressure_x_.data(),
-                                         pressure_y_.data());
-        const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
-        for (int i = n.blocks[b].first_row; i < last; ++i) {
+    for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
+        pair_kernels().pressure_gradient(rows, pressure_.data(), pressure_x_.data(), pressure_y_.data());
+        for (int i = rows.first_row; i < last; ++i) {
             base_velocity_[i] = {static_cast<float>(soil.vx[i] - scale * pressure_x_[i] + gain.x()),
                                  static_cast<float>(soil.vy[i] - scale * pressure_y_[i] + gain.y())};
         }
@@ -99,17 +97,16 @@ void Friction::rotate(const Neighbours& n, double dt) {
     for (int c = 0; c < 4; ++c) rotation.correction[c] = n.correction[c].data();
     rotation.dt = static_cast<float>(dt);
     rotation.stress = stress_.data();
-    for_each_block(static_cast<int>(n.blocks.size()), threads_,
-                   [&](int b) { pair_kernels().rotate_stress(pair_rows(n.blocks[b], n), rotation); });
+    for_each_awake(n, threads_,
+                   [&](const PairRows& rows, int) { pair_kernels().rotate_stress(rows, rotation); });
 }
 
 /// On return v~ = base velocity - dt div(ahead s) / rho.
 void Friction::trial_velocity(const Neighbours& n, double dt) {
     const auto scale = static_cast<float>(dt / discretisation_.density);
-    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        pair_kernels().stress_divergence(pair_rows(n.blocks[b], n), ahead_.data(), force_.data());
-        const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
-        for (int i = n.blocks[b].first_row; i < last; ++i) {
+    for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
+        pair_kernels().stress_divergence(rows, ahead_.data(), force_.data());
+        for (int i = rows.first_row; i < last; ++i) {
             velocity_[i] = {base_velocity_[i].x - scale * force_[i].x,
                             base_velocity_[i].y - scale * force_[i].y};
         }
@@ -128,8 +125,8 @@ void Friction::project(const Neighbours& n, double dt, double momentum) {
     update.momentum = static_cast<float>(momentum);
     update.stress = stress_.data();
     update.ahead = ahead_.data();
-    for_each_block(static_cast<int>(n.blocks.size()), threads_,
-                   [&](int b) { pair_kernels().update_stress(pair_rows(n.blocks[b], n), update); });
+    for_each_awake(n, threads_,
+                   [&](const PairRows& rows, int) { pair_kernels().update_stress(rows, update); });
     for (int a = 0; a < n.active_count(); ++a) {
         const int i = n.first_boundary + a;
         const VelocityGradient g = boundary_velocity_gradient(n, a, velocity_.data()).corrected(n, i);
@@ -166,10 +163,9 @@ void Friction::final_velocity(const Neighbours& n, const Soil& soil, const Frict
     const Vec2 gain = step.dt * step.body;
     set_all(vx, n.nodes, 0.0);
     set_all(vy, n.nodes, 0.0);
-    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        pair_kernels().stress_divergence(pair_rows(n.blocks[b], n), stress_.data(), force_.data());
-        const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
-        for (int i = n.blocks[b].first_row; i < last; ++i) {
+    for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
+        pair_kernels().stress_divergence(rows, stress_.data(), force_.data());
+        for (int i = rows.first_row; i < last; ++i) {
             vx[i] = soil.vx[i] - scale * force_[i].x + gain.x();
             vy[i] = soil.vy[i] - scale * force_[i].y + gain.y();
         }

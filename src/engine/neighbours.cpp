@@ -138,7 +138,7 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
             rows.wall[l].merged.clear();
             const int i = first_row + l;
             if (i >= soil.count) continue;
-            finder.find_soil(grid_, soil, i, rows.soil[l]);
+            if (!n.rests(i)) finder.find_soil(grid_, soil, i, rows.soil[l]);
             finder.find_wall(wall, soil.x[i], soil.y[i], rows.wall[l]);
             soil_width = std::max(soil_width, rows.soil[l].count);
             width = std::max(width, rows.soil[l].count + rows.wall[l].merged.size());
@@ -152,9 +152,17 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
             write_wall_pairs(block, first, first_row, rows);
         }
         for (int l = 0; l < lanes && first_row + l < soil.count; ++l) {
-            write_sums(n, first_row + l, sums, l, rows.wall[l]);
+            if (n.rests(first_row + l))
+                write_resting_sums(n, first_row + l, rows.wall[l]);
+            else
+                write_sums(n, first_row + l, sums, l, rows.wall[l]);
         }
     }
+}
+
+void NeighbourSearch::write_resting_sums(Neighbours& n, int i, const WallRow& wall) const {
+    n.nearest_boundary[i] = wall.nearest_boundary;
+    n.correction[0][i] = n.correction[3][i] = 1.0F;  // the identity, as for a lonely particle
 }
 
 void NeighbourSearch::write_sums(Neighbours& n, int i, const SliceSums& soil, int lane,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -69,6 +70,13 @@ struct Neighbours {
         surface_y;                      ///< sum of V gradW, points into the soil at a free surface, 1/m
     std::vector<int> nearest_boundary;  ///< wall index, -1: no wall within the support; per soil particle
 
+    /// Per slice of soil rows, given: 1 where all sleep and nothing is to be solved; empty: nothing sleeps.
+    std::vector<char> resting;
+
+    [[nodiscard]] bool rests(int i) const {
+        return !resting.empty() && resting[static_cast<std::size_t>(i / lanes)] != 0;
+    }
+
     [[nodiscard]] int active_count() const { return static_cast<int>(active.size()); }
 };
 
@@ -81,11 +89,13 @@ class NeighbourSearch {
 
     /// Sorts the soil into spatial order. On return all its arrays are permuted alike.
     void sort(Soil& soil);
-    /// On return `neighbours` describes the sorted soil and the wall around it.
+    /// On return `neighbours` describes the sorted soil and the wall around it. Rows that rest hold their
+    /// wall pairs only, for the bed's sake, and no density.
     void find(const Soil& soil, const Wall& wall, Neighbours& neighbours);
 
   private:
     void find_block(const Soil& soil, const Wall& wall, Neighbours& n, int block) const;
+    void write_resting_sums(Neighbours& n, int i, const WallRow& wall) const;
     void write_sums(Neighbours& n, int i, const SliceSums& soil, int lane, const WallRow& wall) const;
     void number_boundary(const Soil& soil, const Wall& wall, Neighbours& n);
     void fill_boundary_rows(const Wall& wall, const Soil& soil, Neighbours& n);

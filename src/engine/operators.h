@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
+
 #include "engine/neighbours.h"
 #include "engine/pair_kernels.h"
+#include "engine/parallel.h"
 #include "engine/soil.h"
 
 namespace runout {
@@ -27,6 +30,33 @@ struct VelocityGradient {
 
 /// The block's pairs as the kernels take them.
 PairRows pair_rows(const PairBlock& block, const Neighbours& n);
+
+/// Calls f(rows, last) for the rows of the block that do not sleep, run by run; `last`: one past the last of
+/// them that is soil.
+template <class Function>
+void for_each_awake_run(const PairBlock& block, const Neighbours& n, const Function& f) {
+    const PairRows all = pair_rows(block, n);
+    const auto rests = [&](int slice) { return n.rests(all.first_row + slice * lanes); };
+    for (int first = 0; first < all.slices;) {
+        int end = first;
+        while (end < all.slices && !rests(end)) ++end;
+        if (end > first) {
+            PairRows run = all;
+            run.first_row += first * lanes;
+            run.offset += first;
+            run.slices = end - first;
+            f(run, std::min(run.first_row + run.slices * lanes, n.soil_count));
+        }
+        first = end + 1;
+    }
+}
+
+/// As for_each_awake_run, for all blocks, on `threads` threads.
+template <class Function>
+void for_each_awake(const Neighbours& n, int threads, const Function& f) {
+    for_each_block(static_cast<int>(n.blocks.size()), threads,
+                   [&](int b) { for_each_awake_run(n.blocks[b], n, f); });
+}
 
 /// On return `velocity` has every node's velocity as the kernels take it: none but the soil moves.
 void soil_velocities(const Neighbours& n, const Soil& soil, std::vector<FloatPair>& velocity);

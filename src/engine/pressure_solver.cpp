@@ -32,6 +32,7 @@ void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& w
     set_all(free_, n.nodes, char{0});
     for (int i = 0; i < soil.count; ++i) {
         pressure_[i] = soil.pressure[i];
+        if (n.rests(i)) continue;
         free_[i] = 1;
         diagonal_[i] = n.stiffness_sum[i];
         if (n.density[i] < surface_density) {
@@ -74,22 +75,18 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
     multiply(n, wall, pressure_, product_);
     const double dt = step.dt;
     const double scale = dt / discretisation_.density;
-    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        pair_kernels().pressure_gradient(pair_rows(n.blocks[b], n), kept_.data(), gradient_x_.data(),
-                                         gradient_y_.data());
-        const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
-        for (int i = n.blocks[b].first_row; i < last; ++i) {
+    for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
+        pair_kernels().pressure_gradient(rows, kept_.data(), gradient_x_.data(), gradient_y_.data());
+        for (int i = rows.first_row; i < last; ++i) {
             trial_velocity_[i] = {static_cast<float>(vx[i] - scale * gradient_x_[i]),
                                   static_cast<float>(vy[i] - scale * gradient_y_[i])};
         }
     });
     const double rate = step.correct_density ? 1.0 / std::max(relaxation_time_, 10.0 * dt) : 0.0;
     const auto wanted = [&](int node) { return rate * std::max(0.0, n.density[node] - 1.0); };
-    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        pair_kernels().velocity_divergence(pair_rows(n.blocks[b], n), trial_velocity_.data(),
-                                           right_hand_side_.data());
-        const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
-        for (int i = n.blocks[b].first_row; i < last; ++i) {
+    for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
+        pair_kernels().velocity_divergence(rows, trial_velocity_.data(), right_hand_side_.data());
+        for (int i = rows.first_row; i < last; ++i) {
             right_hand_side_[i] = (wanted(i) - right_hand_side_[i]) / dt + step.memory * product_[i];
         }
     });
@@ -110,7 +107,7 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
 /// their share too, so that p comes to rest at theirs.
 void PressureSolver::free_surface_of_traction(const Neighbours& n, const Soil& soil, double memory) {
     for (int i = 0; i < n.soil_count; ++i) {
-        if (n.density[i] >= surface_density || n.density[i] < body_density) continue;
+        if (n.density[i] >= surface_density || n.density[i] < body_density || !free_[i]) continue;
         const double nx = n.surface_x[i];
         const double ny = n.surface_y[i];
         const double size2 = nx * nx + ny * ny;
@@ -135,7 +132,7 @@ void PressureSolver::refresh_coarse_level(const Neighbours& n, Soil& soil, const
         steps_since_build_ = 0;
         return;
     }
-    std::copy_n(soil.aggregate.begin(), soil.count, aggregate_.begin());
+    for (int i = 0; i < soil.count; ++i) aggregate_[i] = free_[i] ? soil.aggregate[i] : -1;
     for (int a = 0; a < n.active_count(); ++a) {
         const int node = n.first_boundary + a;
         aggregate_[node] = free_[node] ? wall_aggregate_[n.active[a]] : -1;
@@ -151,12 +148,13 @@ double PressureSolver::multiply(const Neighbours& n, const Wall& wall, const std
     return sum_blocks(blocks + chunks, threads_, partial_, [&](int b) {
         double sum = 0.0;
         if (b < blocks) {
-            pair_kernels().stiffness_product(pair_rows(n.blocks[b], n), x.data(), out.data());
-            const int last = std::min(n.blocks[b].first_row + rows_per_block, n.soil_count);
-            for (int i = n.blocks[b].first_row; i < last; ++i) {
-                out[i] = diagonal_[i] * x[i] - out[i];
-                sum += x[i] * out[i];
-            }
+            for_each_awake_run(n.blocks[b], n, [&](const PairRows& rows, int last) {
+                pair_kernels().stiffness_product(rows, x.data(), out.data());
+                for (int i = rows.first_row; i < last; ++i) {
+                    out[i] = diagonal_[i] * x[i] - out[i];
+                    sum += x[i] * out[i];
+                }
+            });
         } else {
             const int first = (b - blocks) * boundary_chunk;
             const int last = std::min(n.active_count(), first + boundary_chunk);

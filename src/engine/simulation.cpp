@@ -17,6 +17,7 @@ namespace {
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
 constexpr double standing_spacings = 2.0;      // a lattice that finds its rest moves by up to one
+constexpr double sleep_window = 0.25;          // in sqrt(sqrt(S)/g)
 constexpr int equilibrium_rounds = 200;
 constexpr int equilibrium_iterations = 20;
 constexpr double equilibrium_change = 5e-4;  // of the acceleration between two rounds, in g, root mean square
@@ -87,6 +88,10 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
     release_head_ = *std::min_element(packing.x.begin(), packing.x.end()) - 0.5 * packing.spacing;
     set_up_effects();
     rest_.start(soil_, 0.0);
+    if (run_.sleeping && run_.friction == FrictionScheme::projected) {
+        sleep_.emplace(discretisation_, run_.gravity, sleep_window * time_scale_);
+        sleep_->wake_all(soil_, 0.0);
+    }
     make_room();
     release_ax_.assign(soil_.count, 0.0);
     release_ay_.assign(soil_.count, 0.0);
@@ -133,7 +138,9 @@ void Simulation::step() {
         release_mass();
     clock_.enter(Phase::neighbours);
     search_.sort(soil_);
+    const int resting = sleep_ ? sleep_->find_resting(soil_, neighbours_.resting) : 0;
     search_.find(soil_, wall_, neighbours_);
+    if (resting > 0) let_sleep(resting);
     const double dt = choose_time_step();
     const PressureSolve solve = in_free_flight() ? fly(dt) : resist(dt);
     clock_.enter(Phase::motion);
@@ -156,6 +163,7 @@ void Simulation::step() {
     facts.dt = dt;
     facts.unconverged = unconverged_in_a_row_;
     judge(facts);
+    if (sleep_) watch_sleep();
     clock_.leave();
 }
 
@@ -206,9 +214,9 @@ FrictionStep Simulation::friction_step(double dt, int iterations) {
 }
 
 void Simulation::find_pressure_gradient() {
-    for_each_block(static_cast<int>(neighbours_.blocks.size()), threads_, [&](int b) {
-        pair_kernels().pressure_gradient(pair_rows(neighbours_.blocks[b], neighbours_),
-                                         pressure_.node_pressure().data(), force_x_.data(), force_y_.data());
+    for_each_awake(neighbours_, threads_, [&](const PairRows& rows, int) {
+        pair_kernels().pressure_gradient(rows, pressure_.node_pressure().data(), force_x_.data(),
+                                         force_y_.data());
     });
 }
 
@@ -268,6 +276,7 @@ StepFacts Simulation::guard_wall(double dt) {
     // A grain that lies on the line without a neighbour to carry it falls this far from rest: no defect.
     const double harmless = 0.01 * discretisation_.spacing + run_.gravity * dt * dt;
     for (int i = 0; i < soil_.count; ++i) {
+        if (neighbours_.rests(i)) continue;
         const int boundary = neighbours_.nearest_boundary[i];
         const BedLine::Nearest near =
             boundary < 0 ? bed_.below(soil_.x[i], soil_.y[i])

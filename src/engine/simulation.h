@@ -16,6 +16,7 @@
 #include "engine/pore_pressure.h"
 #include "engine/pressure_solver.h"
 #include "engine/rest_watch.h"
+#include "engine/sleep_watch.h"
 #include "engine/soil.h"
 #include "engine/state_view.h"
 #include "engine/status.h"
@@ -32,8 +33,9 @@ struct WorkCounts {
     long wall_guard_activations = 0;
     long unconverged_solves = 0;
     double particle_steps = 0;
-    double spared_particle_steps = 0;  ///< in free flight, without friction and pressure
-    double highest_density = 0;        ///< rho / rho_0, over particles of the body and all instants
+    double flying_particle_steps = 0;    ///< in free flight, without friction and pressure
+    double sleeping_particle_steps = 0;  ///< at rest, without friction and pressure
+    double highest_density = 0;          ///< rho / rho_0, over particles of the body and all instants
 };
 
 /// Mechanical energy per metre of width, J/m.
@@ -134,6 +136,8 @@ class Simulation {
     void find_pressure_gradient();
     [[nodiscard]] bool in_free_flight();
     PressureSolve fly(double dt);
+    void let_sleep(int resting);
+    void watch_sleep();
     PressureSolve resist(double dt);
     void correct(double dt);
     void move(double dt);
@@ -163,6 +167,7 @@ class Simulation {
 
     InvariantWatch invariants_;
     RestWatch rest_;
+    std::optional<SleepWatch> sleep_;
     Soil soil_;
     Wall wall_;
     NeighbourSearch search_;

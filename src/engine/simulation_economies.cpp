@@ -44,8 +44,28 @@ PressureSolve Simulation::fly(double dt) {
     for (auto* field : {&soil_.pressure, &soil_.sxx, &soil_.sxy, &force_x_, &force_y_, &wall_.pressure,
                         &wall_.sxx, &wall_.sxy})
         std::fill(field->begin(), field->end(), 0.0);
-    work_.spared_particle_steps += soil_.count;
+    work_.flying_particle_steps += soil_.count;
     return {.converged = true};
+}
+
+/// What sleeps has no velocity and no force; the trembling that it fell asleep with is booked.
+void Simulation::let_sleep(int resting) {
+    work_.sleeping_particle_steps += resting;
+    double trembling = 0.0;
+    for (int i = 0; i < soil_.count; ++i) {
+        if (!neighbours_.rests(i)) continue;
+        trembling += 0.5 * (soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i]);
+        soil_.vx[i] = soil_.vy[i] = 0.0;
+        neighbours_.density[i] = sleep_->density(soil_.id[i]);
+        force_x_[i] = force_y_[i] = 0.0;
+    }
+    numerical_work_ += discretisation_.mass() * trembling;
+}
+
+/// Nothing sleeps while the ground shakes.
+void Simulation::watch_sleep() {
+    if (!ground_motion_ || time_ >= ground_motion_->ends())
+        sleep_->observe(soil_, neighbours_.density, time_);
 }
 
 }  // namespace runout

@@ -92,7 +92,7 @@ void Simulation::even_out() {
     const double scale = shifting * discretisation_.volume();
     const double most = most_shifting * discretisation_.spacing;
     for (int i = 0; i < soil_.count; ++i) {
-        if (neighbours_.density[i] < surface_density) continue;
+        if (neighbours_.density[i] < surface_density || neighbours_.rests(i)) continue;
         Vec2 step{-scale * neighbours_.surface_x[i], -scale * neighbours_.surface_y[i]};
         const double size = step.norm();
         if (size > most) step *= most / size;
@@ -146,6 +146,7 @@ void Simulation::add_soil(const std::vector<Vec2>& points) {
     if (pore_water_) pore_water_->append(points);
     make_room();
     rest_.start(soil_, time_);
+    if (sleep_) sleep_->append(soil_);
     invariants_.restart(height_);
     stage_start_ = time_;
     stage_ended_ = false;
@@ -163,6 +164,7 @@ void Simulation::release_mass() {
     const std::vector<Vec2> points = place_mass(mass, soil_, discretisation_.spacing, run_.smoothing_ratio);
     for (const Vec2& p : points) height_ = std::max(height_, p.y() - floor_);
     add_soil(points);
+    if (sleep_) sleep_->wake_all(soil_, time_);
 }
 
 }  // namespace runout

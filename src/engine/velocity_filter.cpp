@@ -51,6 +51,7 @@ double VelocityFilter::apply(const Neighbours& n, const Wall& wall, const BedLin
     for (const PairBlock& block : n.blocks) find_change(block, n, soil);
     double taken = 0.0;
     for (int i = 0; i < soil.count; ++i) {
+        if (n.rests(i)) continue;
         const Vec2 before{soil.vx[i], soil.vy[i]};
         const Vec2 after = before + share / discretisation_.lattice_stiffness * change_[i];
         soil.vx[i] = after.x();
