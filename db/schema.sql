@@ -8,7 +8,7 @@
 -- A change of the format raises user_version and adds a step to src/store/migrations.cpp.
 
 PRAGMA application_id = 1381322319;  -- the letters RUNO
-PRAGMA user_version = 7;
+PRAGMA user_version = 8;
 
 -- The ground along a section before the failure. Two files with the same ground share one row, so the name
 -- of the file belongs to the run.
@@ -78,6 +78,7 @@ CREATE TABLE scenario (
     pressure_tolerance   REAL NOT NULL,             -- relative residual of the pressure equation
     time_limit_s         REAL NOT NULL,             -- simulated; 0: 60 sqrt(H/g) or more
     front_thickness_m    REAL NOT NULL,             -- threshold of the contiguous front; 0: from sqrt(S)
+    sleeping             INTEGER NOT NULL DEFAULT 0,   -- 1: nothing is solved for soil at rest
     lattice_seed         INTEGER NOT NULL DEFAULT 0,   -- 0: regular lattice; else start off it at random
     snapshot_times_s     TEXT NOT NULL DEFAULT '[]',   -- JSON list of the instants to keep the particles of
     base_friction_angle_deg  REAL,                  -- effect: friction of the base; NULL: absent
@@ -148,7 +149,7 @@ CREATE TABLE run (
     error_note              TEXT NOT NULL DEFAULT '',        -- how they were found, one sentence
     expected_cpu_s          REAL,                            -- as the cost model foretold it; NULL: it did not
     choosing_cpu_s          REAL NOT NULL DEFAULT 0,         -- spent on pilot runs for this run
-    spared_share            REAL    -- of the particle steps: in free flight, without friction and pressure
+    spared_share            REAL    -- of the particle steps: at rest or in free flight, without friction and pressure
 ) STRICT;
 CREATE INDEX run_of_scenario ON run (scenario_id);
 

@@ -412,6 +412,36 @@ TEST(FreeFlight, NeedsNoFrictionAndNoPressureUntilItLands) {
     EXPECT_LT(simulation.work().flying_particle_steps, 0.5 * simulation.work().particle_steps);
 }
 
+/// Whether a run's advice names the effect.
+bool advises(const Scene& scene, const std::string& effect) {
+    const std::vector<std::string> advice = run_scene(scene).advice;
+    return std::any_of(advice.begin(), advice.end(), [&](const std::string& sentence) {
+        return sentence.find("[effects." + effect + "] may matter") != std::string::npos;
+    });
+}
+
+TEST(Advice, NamesCohesionWhereMoistureCouldHoldTheSource) {
+    Scene scene = scenes::aluminium_column(21.9, 0.0125);
+    const std::vector<std::string> advice = run_scene(scene).advice;
+    // rho g H / (4 tan(45 + phi/2)) = 2079.5 x 9.81 x 0.1 / (4 x 1.480)
+    ASSERT_FALSE(advice.empty());
+    EXPECT_NE(advice.back().find("A cohesion of 0.34 kPa"), std::string::npos) << advice.back();
+    EXPECT_TRUE(advises(scene, "cohesion"));
+    scene.effects.cohesion = Cohesion{.strength = 10.0};
+    EXPECT_FALSE(advises(scene, "cohesion")) << "it is on";
+    scene.effects.cohesion.reset();
+    scene.run.gravity = 9.81e3;
+    EXPECT_FALSE(advises(scene, "cohesion")) << "345 kPa are more than moisture gives";
+}
+
+TEST(Advice, NamesTheRateWhereTheFrontIsFast) {
+    Scene scene = scenes::box(70, 0.385, 0.005);
+    EXPECT_TRUE(advises(scene, "rate"));
+    scene.effects.rate = RateDependence{.increase = 0.0};
+    EXPECT_FALSE(advises(scene, "rate")) << "it is on";
+    EXPECT_FALSE(advises(scenes::heap(15, 0.1, 30, 0.01), "rate")) << "nothing moves";
+}
+
 TEST(Combinations, EveryPairRunsToItsEndAndKeepsTheInvariants) {
     const std::vector<Choice> all = choices();
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -52,6 +52,7 @@ TEST(ScenarioHash, ChangesWithEverythingThatDeterminesTheResult) {
         {"iterations", [](Scene& s) { s.run.friction_iterations = 6; }},
         {"tolerance", [](Scene& s) { s.run.pressure_tolerance = 1e-3; }},
         {"time limit", [](Scene& s) { s.run.time_limit = 10; }},
+        {"sleeping", [](Scene& s) { s.run.sleeping = false; }},
         {"lattice", [](Scene& s) { s.run.lattice_seed = 1; }},
         {"snapshots", [](Scene& s) { s.run.snapshot_times = {0.5}; }},
         {"base friction", [](Scene& s) { s.effects.base_friction = {0.3}; }},

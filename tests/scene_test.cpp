@@ -145,7 +145,8 @@ std::string everything(const CaseSpec& c) {
         fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", density, friction_angle, r.particle_spacing,
                     r.resolution, r.gravity, r.courant, r.smoothing_ratio, static_cast<int>(r.friction),
                     r.friction_iterations, r.pressure_tolerance, r.time_limit, r.front_thickness, r.threads);
-    text += fmt::format("|{}|{}|{}", r.lattice_seed, fmt::join(r.snapshot_times, " "), c.accuracy);
+    text +=
+        fmt::format("|{}|{}|{}|{}", r.sleeping, r.lattice_seed, fmt::join(r.snapshot_times, " "), c.accuracy);
     const Effects& e = c.effects;
     for (const EffectSetting& setting : effect_settings(e, Profile{}))
         text += fmt::format("|{}.{} {}", setting.effect, setting.key, setting.value);

@@ -370,7 +370,7 @@ std::set<std::string> format_of(SQLite::Database& database) {
     return format;
 }
 
-/// The format as it is now without what versions 4 to 7 added.
+/// The format as it is now without what versions 4 to 8 added.
 void take_back_to_version_three(SQLite::Database& database) {
     database.exec(
         "DROP TABLE study_scenario; DROP TABLE study; DROP VIEW result; DROP VIEW ladder_rung; DROP TABLE "
@@ -380,7 +380,8 @@ void take_back_to_version_three(SQLite::Database& database) {
         "TABLE gauge_series; DROP "
         "TABLE "
         "gauge; DROP TABLE barrier_series; DROP TABLE barrier; ALTER TABLE run DROP COLUMN spared_share;"
-        "ALTER TABLE measure DROP COLUMN eroded_area_m2; PRAGMA user_version = 3");
+        "ALTER TABLE measure DROP COLUMN eroded_area_m2; ALTER TABLE scenario DROP COLUMN sleeping; PRAGMA "
+        "user_version = 3");
     for (const char* column :
          {"peak_memory_mb", "machine", "accuracy_asked", "run_out_error_m", "reach_angle_error_deg",
           "error_origin", "error_note", "expected_cpu_s", "choosing_cpu_s"})
@@ -416,7 +417,7 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     Store store(path, Store::Mode::write);
     SQLite::Database file = raw();
     EXPECT_EQ(format_of(file), wanted);
-    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 7);
+    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 8);
     EXPECT_EQ(store.run(id).appraisal.error_origin, "none");
     EXPECT_TRUE(std::isnan(store.run(id).appraisal.run_out_error_m));
     EXPECT_TRUE(store.ladders().empty());

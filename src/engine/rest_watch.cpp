@@ -1,5 +1,6 @@
 #include "engine/rest_watch.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace runout {
@@ -7,12 +8,15 @@ namespace {
 
 constexpr double rest_energy = 1e-5;  // energy of the mean motion at rest, share of g sqrt(S)
 constexpr double rest_window = 0.5;   // over which the motion is averaged, in sqrt(sqrt(S)/g)
+constexpr double rest_way = 0.1;      // spacings, that no particle makes in a window
 constexpr int rest_windows = 4;       // in a row
 
 }  // namespace
 
-RestWatch::RestWatch(double gravity, double length)
-    : rest_energy_(rest_energy * gravity * length), window_(rest_window * std::sqrt(length / gravity)) {}
+RestWatch::RestWatch(double gravity, double length, double spacing)
+    : rest_energy_(rest_energy * gravity * length),
+      window_(rest_window * std::sqrt(length / gravity)),
+      way_(rest_way * spacing) {}
 
 void RestWatch::start(const Soil& soil, double time) {
     mark_.resize(static_cast<std::size_t>(soil.count));
@@ -28,14 +32,17 @@ void RestWatch::observe(const Soil& soil, double time) {
 void RestWatch::close_window(const Soil& soil, double time) {
     const double duration = time - mark_time_;
     double moved2 = 0.0;
+    double furthest2 = 0.0;
     for (int i = 0; i < soil.count; ++i) {
         Vec2& mark = mark_[soil.id[i]];
         const Vec2 now{soil.x[i], soil.y[i]};
-        moved2 += (now - mark).squaredNorm();
+        const double way2 = (now - mark).squaredNorm();
+        moved2 += way2;
+        furthest2 = std::max(furthest2, way2);
         mark = now;
     }
     const double energy = 0.5 * moved2 / (soil.count * duration * duration);  // per mass
-    const bool resting = energy < rest_energy_;
+    const bool resting = energy < rest_energy_ && furthest2 < way_ * way_;
     resting_windows_ = resting ? resting_windows_ + 1 : 0;
     if (!resting) last_motion_ = time;
     mark_time_ = time;

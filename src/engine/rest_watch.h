@@ -8,11 +8,11 @@
 namespace runout {
 
 /// Judges whether the mass has come to rest, by how far the particles get in windows of time, so that the
-/// trembling of lone grains, which leads nowhere, does not count.
+/// trembling of lone grains, which leads nowhere, does not count; a grain that is still on its way does.
 class RestWatch {
   public:
     /// `length`: sqrt(S), m.
-    RestWatch(double gravity, double length);
+    RestWatch(double gravity, double length, double spacing);
 
     /// Soil as it is now, not yet moving; also after more has been added.
     void start(const Soil& soil, double time);
@@ -29,6 +29,7 @@ class RestWatch {
 
     double rest_energy_;      ///< of the mean motion, J/kg
     double window_;           ///< s
+    double way_;              ///< that no particle makes in a window at rest, m
     std::vector<Vec2> mark_;  ///< positions when the window opened, by id
     double mark_time_ = 0;
     double last_motion_ = 0;

@@ -75,7 +75,7 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
                       : time_to_stop(height_, run_.gravity, least_strength(material_, effects_))),
       invariants_({run_.gravity, height_, discretisation_.spacing, discretisation_.density, run_.courant,
                    tension_cut_off(material_, effects_)}),
-      rest_(run_.gravity, length_scale_),
+      rest_(run_.gravity, length_scale_, discretisation_.spacing),
       soil_(soil_at(packing.x, packing.y)),
       wall_(make_wall(bed_, discretisation_)),
       search_(discretisation_, threads_),

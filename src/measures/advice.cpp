@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "core/units.h"
 #include "measures/deposit.h"
 
 namespace runout {
@@ -15,11 +17,30 @@ constexpr double quasi_static = 0.1;      // inertial number above which frictio
 constexpr double worth_saying = 0.2;      // share of the front
 constexpr double grain_diameter = 0.002;  // m, coarse sand to fine gravel; the number is proportional to it
 constexpr double grain_density = 2650;    // kg/m3
+constexpr double moist_cohesion = 5e3;    // Pa, what suction may give moist sand
+
+/// Vertical extent, m.
+double height_of(const Polygon& outline) {
+    const auto [low, high] = std::minmax_element(outline.begin(), outline.end(),
+                                                 [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+    return high->y() - low->y();
+}
+
+/// Cohesion at which a vertical face stands as high as the source: H = (4 c/(rho g)) tan(45 + phi/2), Pa.
+double holding_cohesion(const Scene& scene) {
+    const double bearing = 4.0 * std::tan(radians(45.0) + 0.5 * scene.material.friction_angle);
+    return scene.material.density * scene.run.gravity * height_of(scene.source.outline) / bearing;
+}
 
 }  // namespace
 
 Advisor::Advisor(const Scene& scene, double interval)
-    : rate_(scene.effects.rate.has_value()), density_(scene.material.density), interval_(interval) {}
+    : rate_(scene.effects.rate.has_value()),
+      source_height_(height_of(scene.source.outline)),
+      holding_cohesion_(scene.effects.cohesion ? std::numeric_limits<double>::infinity()
+                                               : holding_cohesion(scene)),
+      density_(scene.material.density),
+      interval_(interval) {}
 
 void Advisor::look(const Simulation& simulation) {
     if (!simulation.released() || simulation.time() < due_) return;
@@ -59,6 +80,11 @@ std::vector<std::string> Advisor::sentences() const {
             "was above {:.2g}; grains of {:.0f} mm, proportional to their size): "
             "[effects.rate] may matter.",
             quasi_static, 100 * fast_share_, fast_time_, fast_number_, 1e3 * grain_diameter));
+    if (holding_cohesion_ < moist_cohesion)
+        said.push_back(
+            fmt::format("A cohesion of {:.2g} kPa would hold a vertical face as high as the source ({:.2g} "
+                        "m), and moist sand may have it: [effects.cohesion] may matter.",
+                        1e-3 * holding_cohesion_, source_height_));
     return said;
 }
 

@@ -24,6 +24,8 @@ class Advisor {
     void look_at_rate(const Simulation& simulation);
 
     bool rate_;
+    double source_height_;     ///< m
+    double holding_cohesion_;  ///< Pa; infinite where cohesion is on
     double density_;
     double interval_;
     double due_ = 0;

@@ -158,7 +158,7 @@ struct RunWork {
     double cpu_s = 0;
     int threads = 1;
     double peak_memory_mb = 0;  ///< resident memory of the program at its greatest, MB; 0: not known
-    double spared_share = 0;    ///< of the particle steps: in free flight, without friction and pressure
+    double spared_share = 0;    ///< of the particle steps: at rest or in free flight
 };
 
 /// Seconds spent in one phase of the step.

@@ -122,7 +122,9 @@ RunWork work_of(const Simulation& simulation) {
     work.wall_guard_activations = counts.wall_guard_activations;
     work.highest_density_ratio = counts.highest_density;
     work.spared_share =
-        counts.particle_steps > 0 ? (counts.flying_particle_steps + counts.sleeping_particle_steps) / counts.particle_steps : 0.0;
+        counts.particle_steps > 0
+            ? (counts.flying_particle_steps + counts.sleeping_particle_steps) / counts.particle_steps
+            : 0.0;
     work.simulated_s = simulation.time();
     work.threads = simulation.threads();
     return work;

@@ -119,7 +119,8 @@ std::string work_line(const StoredRun& run) {
     const RunWork& w = run.work;
     const std::string spared =
         std::isfinite(w.spared_share)
-            ? fmt::format("; {:.3g} % of the particle steps spared in free flight", 100 * w.spared_share)
+            ? fmt::format("; {:.3g} % of the particle steps spared, at rest or in free flight",
+                          100 * w.spared_share)
             : "";
     const double expected = run.appraisal.expected_cpu_s;
     return fmt::format("{} particles of {:.3g} m, {} steps, {} ({} of CPU time{}){}.\n", w.particles,

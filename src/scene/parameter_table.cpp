@@ -208,6 +208,10 @@ std::vector<Parameter> numerical_run_parameters() {
         number("run.pressure_tolerance", "", between(1e-12, 0.1), "0.01",
                "Relative residual at which the pressure equation counts as solved.",
                [](CaseSpec& spec, double tolerance) { spec.run.pressure_tolerance = tolerance; }),
+        word("run.sleeping", {"on", "off"}, "on",
+             "on: nothing is solved for soil at rest until something near it moves or its load changes; off: "
+             "all is computed to the end.",
+             [](CaseSpec& spec, const std::string& name) { spec.run.sleeping = name == "on"; }),
         integer(
             "run.lattice_seed", between(0, 1e9), "0",
             "0: particles start on a regular lattice; else off it at random, to see how much that matters.",

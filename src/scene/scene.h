@@ -33,7 +33,7 @@ struct RunSettings {
     double pressure_tolerance = 1e-2;    ///< relative residual of the pressure equation
     double time_limit = 0;               ///< s of simulated time; 0: 60 sqrt(H/g) or more
     double front_thickness = 0;          ///< m, threshold of the contiguous front; 0: 3 % of sqrt(S)
-    bool sleeping = true;                ///< soil at rest is put to sleep; only with projected friction
+    bool sleeping = true;                ///< nothing is solved for soil at rest; projected friction only
     int lattice_seed = 0;                ///< 0: regular lattice; else particles start off it at random
     std::vector<double> snapshot_times;  ///< s since release, rising: instants to keep the particles of
     int threads = 0;                     ///< 0: all cores

@@ -277,6 +277,9 @@ WHERE base_friction_angle_deg IS NOT NULL
 UNION ALL SELECT run_id, 1, 'release', 'several releases, one after the other', NULL
 FROM run JOIN scenario USING (scenario_id) WHERE release_layers IS NOT NULL;
 )"},
+        Migration{7, R"(
+ALTER TABLE scenario ADD COLUMN sleeping INTEGER NOT NULL DEFAULT 0;
+)"},
     };
     return steps;
 }

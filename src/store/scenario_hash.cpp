@@ -91,7 +91,7 @@ void add_effects(CanonicalText& text, const Scene& scene) {
 std::string question_text(const Scene& scene) {
     const auto& [density, friction_angle] = scene.material;
     const auto& [spacing, resolution, gravity, courant, smoothing, friction, iterations, tolerance,
-                 time_limit, front_thickness, lattice_seed, snapshot_times, threads] = scene.run;
+                 time_limit, front_thickness, sleeping, lattice_seed, snapshot_times, threads] = scene.run;
     CanonicalText text;
     text.add("density", density);
     text.add("friction_angle", friction_angle);
@@ -105,6 +105,7 @@ std::string question_text(const Scene& scene) {
     text.add("pressure_tolerance", tolerance);
     text.add("time_limit", time_limit);
     text.add("front_thickness", front_thickness);
+    text.add("sleeping", sleeping ? "on" : "off");
     if (lattice_seed != 0) text.add("lattice_seed", static_cast<double>(lattice_seed));
     for (const double time : snapshot_times) text.add("snapshot_time", time);
     add_effects(text, scene);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <ostream>
 #include <string>
 
 #include "engine/simulation.h"
@@ -12,6 +12,12 @@
 #include "observe.h"
 
 namespace runout {
+
+/// For the names of the tests.
+void PrintTo(const HardScene& scene, std::ostream* out) {
+    *out << scene.name;
+}
+
 namespace {
 
 /// Height of the source above the lowest bed, m.
@@ -21,14 +27,6 @@ double fall_height(const Scene& scene) {
     for (const Vec2& p : scene.source.outline) top = std::max(top, p.y());
     for (const Vec2& p : scene.source.bed) floor = std::min(floor, p.y());
     return top - floor;
-}
-
-/// Scenes whose run ends while a few grains are still on their way: the mass is at rest by the energy of its
-/// mean motion, to which one grain in a hundred adds little. docs/stability.md.
-const std::set<std::string>& known_stragglers() {
-    static const std::set<std::string> names = {"convex_crest", "friction_5_fall_20", "run_out_falls",
-                                                "steps"};
-    return names;
 }
 
 /// Distances between two states in spacings, in rising order.
@@ -65,8 +63,7 @@ TEST_P(HardSceneTest, SettlesAndThenStands) {
     RecordProperty("creep_spacings", std::to_string(moved.back()));
     const auto beyond = moved.end() - std::ranges::lower_bound(moved, 1.0);
     RecordProperty("beyond_a_spacing", std::to_string(beyond));
-    const long allowed = known_stragglers().contains(GetParam().name) ? static_cast<long>(particles) / 20 : 0;
-    EXPECT_LE(beyond, allowed) << "particles that moved a spacing or more, the furthest by " << moved.back();
+    EXPECT_EQ(beyond, 0) << "particles that moved a spacing or more, the furthest by " << moved.back();
 }
 
 std::string name_of(const testing::TestParamInfo<HardScene>& info) {
