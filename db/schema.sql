@@ -78,13 +78,13 @@ CREATE TABLE scenario (
     pressure_tolerance   REAL NOT NULL,             -- relative residual of the pressure equation
     time_limit_s         REAL NOT NULL,             -- simulated; 0: 60 sqrt(H/g) or more
     front_thickness_m    REAL NOT NULL,             -- threshold of the contiguous front; 0: from sqrt(S)
-    sleeping             INTEGER NOT NULL DEFAULT 0,   -- 1: nothing is solved for soil at rest
     lattice_seed         INTEGER NOT NULL DEFAULT 0,   -- 0: regular lattice; else start off it at random
     snapshot_times_s     TEXT NOT NULL DEFAULT '[]',   -- JSON list of the instants to keep the particles of
     base_friction_angle_deg  REAL,                  -- effect: friction of the base; NULL: absent
     release_layers           INTEGER,               -- effect: poured layers; NULL: absent
     release_layer_width_m    REAL,
-    release_layer_height_m   REAL
+    release_layer_height_m   REAL,
+    sleeping                 INTEGER NOT NULL DEFAULT 0    -- 1: nothing is solved for soil at rest
 ) STRICT;
 CREATE INDEX scenario_of_source ON scenario (source_id);
 

@@ -172,7 +172,7 @@ TEST(Invariants, HaveNamesAndMeanings) {
 
 TEST(Rest, IsJudgedByWhereParticlesGetAndNotByTheirTrembling) {
     Soil soil = soil_at({0.0, 0.1}, {1.0, 1.0});
-    RestWatch rest(g, 1.0);
+    RestWatch rest(g, 1.0, 0.001);
     rest.start(soil, 0.0);
     double time = 0.0;
     for (int k = 0; k < 200; ++k) {
@@ -184,7 +184,7 @@ TEST(Rest, IsJudgedByWhereParticlesGetAndNotByTheirTrembling) {
 
 TEST(Rest, IsNotThereWhileTheMassSlides) {
     Soil soil = soil_at({0.0, 0.1}, {1.0, 1.0});
-    RestWatch rest(g, 1.0);
+    RestWatch rest(g, 1.0, 0.001);
     rest.start(soil, 0.0);
     double time = 0.0;
     for (int k = 0; k < 200; ++k) {
@@ -193,6 +193,24 @@ TEST(Rest, IsNotThereWhileTheMassSlides) {
     }
     EXPECT_FALSE(rest.at_rest());
     EXPECT_NEAR(rest.motion_ended(), time, 0.2);
+}
+
+TEST(Rest, IsNotThereWhileOneGrainOfAThousandRolls) {
+    const std::vector<double> places(1000, 0.0);
+    Soil soil = soil_at(places, places);
+    RestWatch rest(g, 1.0, 0.001);
+    rest.start(soil, 0.0);
+    double time = 0.0;
+    const auto pass = [&](double speed) {
+        for (int k = 0; k < 60; ++k) {
+            soil.x[17] += 0.05 * speed;
+            rest.observe(soil, time += 0.05);
+        }
+    };
+    pass(0.02);  // the mean motion has far less energy than 1e-5 g sqrt(S)
+    EXPECT_FALSE(rest.at_rest());
+    pass(0.0);
+    EXPECT_TRUE(rest.at_rest());
 }
 
 }  // namespace

@@ -8,15 +8,14 @@ namespace {
 
 constexpr double rest_energy = 1e-5;  // energy of the mean motion at rest, share of g sqrt(S)
 constexpr double rest_window = 0.5;   // over which the motion is averaged, in sqrt(sqrt(S)/g)
-constexpr double rest_way = 0.1;      // spacings, that no particle makes in a window
 constexpr int rest_windows = 4;       // in a row
 
 }  // namespace
 
-RestWatch::RestWatch(double gravity, double length, double spacing)
+RestWatch::RestWatch(double gravity, double length, double grain_way)
     : rest_energy_(rest_energy * gravity * length),
       window_(rest_window * std::sqrt(length / gravity)),
-      way_(rest_way * spacing) {}
+      grain_way_(grain_way) {}
 
 void RestWatch::start(const Soil& soil, double time) {
     mark_.resize(static_cast<std::size_t>(soil.count));
@@ -42,9 +41,9 @@ void RestWatch::close_window(const Soil& soil, double time) {
         mark = now;
     }
     const double energy = 0.5 * moved2 / (soil.count * duration * duration);  // per mass
-    const bool resting = energy < rest_energy_ && furthest2 < way_ * way_;
-    resting_windows_ = resting ? resting_windows_ + 1 : 0;
-    if (!resting) last_motion_ = time;
+    const bool mass_rests = energy < rest_energy_;
+    resting_windows_ = mass_rests && furthest2 < grain_way_ * grain_way_ ? resting_windows_ + 1 : 0;
+    if (!mass_rests) last_motion_ = time;
     mark_time_ = time;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <thread>
 
 #include "engine/bed_shape.h"
@@ -17,6 +18,7 @@ namespace {
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
 constexpr double standing_spacings = 2.0;      // a lattice that finds its rest moves by up to one
+constexpr double resting_grain_way = 0.1;      // spacings in a window of rest
 constexpr double sleep_window = 0.25;          // in sqrt(sqrt(S)/g)
 constexpr int equilibrium_rounds = 200;
 constexpr int equilibrium_iterations = 20;
@@ -43,6 +45,13 @@ double highest(const Polygon& points) {
 /// A mass that slides on with the speed of its fall H needs sqrt(2 H/g) / strength to stop.
 double time_to_stop(double height, double gravity, double strength) {
     return std::max(60.0, 6.0 / std::max(strength, 0.01)) * std::sqrt(height / gravity);
+}
+
+/// See RestWatch. The free faces of cohesive soil work by some tenths of a spacing in every window, see
+/// docs/effects.md; only the mass is judged there.
+double grain_way(const Effects& effects, double spacing) {
+    const bool cohesive = effects.cohesion && effects.cohesion->strength > 0.0;
+    return cohesive ? std::numeric_limits<double>::infinity() : resting_grain_way * spacing;
 }
 
 double spacing_of(const Scene& scene) {
@@ -75,7 +84,7 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
                       : time_to_stop(height_, run_.gravity, least_strength(material_, effects_))),
       invariants_({run_.gravity, height_, discretisation_.spacing, discretisation_.density, run_.courant,
                    tension_cut_off(material_, effects_)}),
-      rest_(run_.gravity, length_scale_, discretisation_.spacing),
+      rest_(run_.gravity, length_scale_, grain_way(effects_, discretisation_.spacing)),
       soil_(soil_at(packing.x, packing.y)),
       wall_(make_wall(bed_, discretisation_)),
       search_(discretisation_, threads_),
