@@ -7,8 +7,8 @@ namespace runout {
 namespace {
 
 constexpr double rest_energy = 1e-5;  // energy of the mean motion at rest, share of g sqrt(S)
-constexpr double rest_window = 0.5;   // over which the motion is averaged, in sqrt(sqrt(S)/g)
-constexpr int rest_windows = 4;       // in a row
+constexpr double rest_window = 0.5;   // between two looks, in sqrt(sqrt(S)/g)
+constexpr double rest_windows = 4;    // at rest before the run ends
 
 }  // namespace
 
@@ -17,42 +17,53 @@ RestWatch::RestWatch(double gravity, double length, double grain_way)
       window_(rest_window * std::sqrt(length / gravity)),
       grain_way_(grain_way) {}
 
+void RestWatch::Mark::take(const Soil& soil, double now) {
+    time = now;
+    place.resize(static_cast<std::size_t>(soil.count));
+    for (int i = 0; i < soil.count; ++i) place[soil.id[i]] = {soil.x[i], soil.y[i]};
+}
+
 void RestWatch::start(const Soil& soil, double time) {
-    mark_.resize(static_cast<std::size_t>(soil.count));
-    for (int i = 0; i < soil.count; ++i) mark_[soil.id[i]] = {soil.x[i], soil.y[i]};
-    mark_time_ = time;
-    resting_windows_ = 0;
+    opened_.take(soil, time);
+    settled_ = opened_;
+    rested_ = 0.0;
 }
 
 void RestWatch::observe(const Soil& soil, double time) {
-    if (time - mark_time_ >= window_) close_window(soil, time);
+    if (time - opened_.time >= window_) close_window(soil, time);
+}
+
+/// Of the mean motion since then, J/kg.
+double RestWatch::energy_since(const Mark& mark, const Soil& soil, double time) const {
+    const double duration = time - mark.time;
+    double moved2 = 0.0;
+    for (int i = 0; i < soil.count; ++i)
+        moved2 += (Vec2{soil.x[i], soil.y[i]} - mark.place[soil.id[i]]).squaredNorm();
+    return 0.5 * moved2 / (soil.count * duration * duration);
+}
+
+/// m.
+double RestWatch::furthest_since(const Mark& mark, const Soil& soil) const {
+    double furthest2 = 0.0;
+    for (int i = 0; i < soil.count; ++i)
+        furthest2 = std::max(furthest2, (Vec2{soil.x[i], soil.y[i]} - mark.place[soil.id[i]]).squaredNorm());
+    return std::sqrt(furthest2);
 }
 
 void RestWatch::close_window(const Soil& soil, double time) {
-    const double duration = time - mark_time_;
-    double moved2 = 0.0;
-    double furthest2 = 0.0;
-    for (int i = 0; i < soil.count; ++i) {
-        Vec2& mark = mark_[soil.id[i]];
-        const Vec2 now{soil.x[i], soil.y[i]};
-        const double way2 = (now - mark).squaredNorm();
-        moved2 += way2;
-        furthest2 = std::max(furthest2, way2);
-        mark = now;
-    }
-    const double energy = 0.5 * moved2 / (soil.count * duration * duration);  // per mass
-    const bool mass_rests = energy < rest_energy_;
-    resting_windows_ = mass_rests && furthest2 < grain_way_ * grain_way_ ? resting_windows_ + 1 : 0;
-    if (!mass_rests) last_motion_ = time;
-    mark_time_ = time;
+    if (energy_since(opened_, soil, time) >= rest_energy_) last_motion_ = time;
+    const bool kept = furthest_since(settled_, soil) < grain_way_;
+    if (!kept) settled_.take(soil, time);
+    rested_ = kept && energy_since(settled_, soil, time) < rest_energy_ ? time - settled_.time : 0.0;
+    opened_.take(soil, time);
 }
 
-bool RestWatch::at_rest() const {
-    return resting_windows_ >= rest_windows;
+double RestWatch::motion_ended() const {
+    return std::min(last_motion_, settled_.time);
 }
 
 double RestWatch::progress() const {
-    return static_cast<double>(resting_windows_) / rest_windows;
+    return std::min(1.0, rested_ / (rest_windows * window_));
 }
 
 }  // namespace runout

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <thread>
 
 #include "engine/bed_shape.h"
@@ -18,7 +17,7 @@ namespace {
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
 constexpr double standing_spacings = 2.0;      // a lattice that finds its rest moves by up to one
-constexpr double resting_grain_way = 0.1;      // spacings in a window of rest
+constexpr double resting_grain_way = 0.3;      // spacings; lone grains tremble by a quarter of one
 constexpr double sleep_window = 0.25;          // in sqrt(sqrt(S)/g)
 constexpr int equilibrium_rounds = 200;
 constexpr int equilibrium_iterations = 20;
@@ -47,11 +46,11 @@ double time_to_stop(double height, double gravity, double strength) {
     return std::max(60.0, 6.0 / std::max(strength, 0.01)) * std::sqrt(height / gravity);
 }
 
-/// See RestWatch. The free faces of cohesive soil work by some tenths of a spacing in every window, see
-/// docs/effects.md; only the mass is judged there.
+/// How far from its place soil at rest may get, m. The free faces of cohesive soil work by some tenths of a
+/// spacing all the time, see docs/effects.md.
 double grain_way(const Effects& effects, double spacing) {
     const bool cohesive = effects.cohesion && effects.cohesion->strength > 0.0;
-    return cohesive ? std::numeric_limits<double>::infinity() : resting_grain_way * spacing;
+    return (cohesive ? standing_spacings : resting_grain_way) * spacing;
 }
 
 double spacing_of(const Scene& scene) {

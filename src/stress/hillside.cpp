@@ -82,6 +82,10 @@ std::string to_string(HillsideShape shape) {
     return names.at(static_cast<std::size_t>(shape));
 }
 
+double fall_of_steps(const Hillside& h) {
+    return h.shape == HillsideShape::steps ? step_count * h.detail : 0.0;
+}
+
 std::vector<Vec2> ground_of(const Hillside& h) {
     Walk walk({0, 0});
     walk.go(h.bench, 0.0);

@@ -24,6 +24,9 @@ struct Hillside {
     double detail = 0;          ///< size of the wall, arc, berm, notch or step
 };
 
+/// What the ground falls beyond the toe besides by its inclination, m.
+double fall_of_steps(const Hillside& hillside);
+
 /// Ground from the uphill end to the distal end with the toe at the origin.
 std::vector<Vec2> ground_of(const Hillside& hillside);
 

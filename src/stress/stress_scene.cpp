@@ -70,12 +70,14 @@ Hillside hillside_of(const StressPoint& p, SourceKind kind) {
     const bool falls_from_height = kind != SourceKind::column;
     const double drop = falls_from_height && kind != SourceKind::falling_block ? p.drop_height_ratio : 0.0;
     h.height = p.size_m * std::max(drop, height_of_source(p, kind));
-    h.bench = 30 * p.size_m;
+    // What lies on the crest and is pressed back slides there as far as its strength lets it.
+    h.bench = p.size_m * std::max(30.0, 1.5 / std::max(strength_on_bed(p), 0.01));
     h.detail = p.detail_ratio * p.size_m;
     if (h.shape == HillsideShape::steps) h.detail = p.size_m / p.resolution;  // at the scale of a particle
     const double fall = kind == SourceKind::falling_block ? p.drop_height_ratio * p.size_m : 0.0;
     // What falls on level ground splashes both ways, in jets of up to twice the speed of the fall.
-    h.run_out_length = run_out_length(p, h.height + fall, kind == SourceKind::falling_block ? 5.0 : 2.5);
+    h.run_out_length =
+        run_out_length(p, h.height + fall + fall_of_steps(h), kind == SourceKind::falling_block ? 5.0 : 2.5);
     if (kind == SourceKind::falling_block) h.bench = h.run_out_length;
     h.run_out_angle = p.run_out_slope_share * std::atan(strength_on_bed(p));
     return h;
