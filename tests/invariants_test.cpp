@@ -172,7 +172,7 @@ TEST(Invariants, HaveNamesAndMeanings) {
 
 TEST(Rest, IsJudgedByWhereParticlesGetAndNotByTheirTrembling) {
     Soil soil = soil_at({0.0, 0.1}, {1.0, 1.0});
-    RestWatch rest(g, 1.0, 0.001);
+    RestWatch rest(g, 1.0, 0.001, 0.002);
     rest.start(soil, 0.0);
     double time = 0.0;
     for (int k = 0; k < 200; ++k) {
@@ -184,7 +184,7 @@ TEST(Rest, IsJudgedByWhereParticlesGetAndNotByTheirTrembling) {
 
 TEST(Rest, IsNotThereWhileTheMassSlides) {
     Soil soil = soil_at({0.0, 0.1}, {1.0, 1.0});
-    RestWatch rest(g, 1.0, 0.001);
+    RestWatch rest(g, 1.0, 0.001, 0.002);
     rest.start(soil, 0.0);
     double time = 0.0;
     for (int k = 0; k < 200; ++k) {
@@ -198,7 +198,7 @@ TEST(Rest, IsNotThereWhileTheMassSlides) {
 TEST(Rest, ComesToGrainsThatAllTremble) {
     const std::vector<double> places(10, 0.0);
     Soil soil = soil_at(places, places);
-    RestWatch rest(g, 1.0, 0.005);
+    RestWatch rest(g, 1.0, 0.005, 0.01);
     rest.start(soil, 0.0);
     double time = 0.0;
     // From one look to the next they have more energy than a mass at rest, but they get nowhere.
@@ -210,10 +210,29 @@ TEST(Rest, ComesToGrainsThatAllTremble) {
     EXPECT_EQ(rest.motion_ended(), 0.0);
 }
 
+TEST(Rest, TakesLongerWhereGrainsRock) {
+    const std::vector<double> places(10, 0.0);
+    Soil soil = soil_at(places, places);
+    RestWatch rest(g, 1.0, 0.003, 0.01);
+    rest.start(soil, 0.0);
+    const double unit = std::sqrt(1.0 / g);
+    double time = 0.0;
+    for (int k = 0; time < 15.0 * unit; ++k) {
+        for (double& x : soil.x) x = k % 2 == 0 ? 0.009 : 0.0;
+        rest.observe(soil, time += 0.17);
+    }
+    EXPECT_FALSE(rest.at_rest());
+    for (int k = 0; time < 21.0 * unit; ++k) {
+        for (double& x : soil.x) x = k % 2 == 0 ? 0.009 : 0.0;
+        rest.observe(soil, time += 0.17);
+    }
+    EXPECT_TRUE(rest.at_rest());
+}
+
 TEST(Rest, IsNotThereWhileOneGrainOfAThousandRolls) {
     const std::vector<double> places(1000, 0.0);
     Soil soil = soil_at(places, places);
-    RestWatch rest(g, 1.0, 0.001);
+    RestWatch rest(g, 1.0, 0.001, 0.002);
     rest.start(soil, 0.0);
     double time = 0.0;
     const auto pass = [&](double speed) {

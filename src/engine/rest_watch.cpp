@@ -9,13 +9,14 @@ namespace {
 constexpr double rest_energy = 1e-5;  // energy of the mean motion at rest, share of g sqrt(S)
 constexpr double rest_window = 0.5;   // between two looks, in sqrt(sqrt(S)/g)
 constexpr double rest_windows = 4;    // at rest before the run ends
+constexpr double rocking_windows = 40;
 
 }  // namespace
 
-RestWatch::RestWatch(double gravity, double length, double grain_way)
+RestWatch::RestWatch(double gravity, double length, double grain_way, double rocking)
     : rest_energy_(rest_energy * gravity * length),
       window_(rest_window * std::sqrt(length / gravity)),
-      grain_way_(grain_way) {}
+      stays_{{{grain_way, rest_windows * window_, {}, 0.0}, {rocking, rocking_windows * window_, {}, 0.0}}} {}
 
 void RestWatch::Mark::take(const Soil& soil, double now) {
     time = now;
@@ -25,8 +26,10 @@ void RestWatch::Mark::take(const Soil& soil, double now) {
 
 void RestWatch::start(const Soil& soil, double time) {
     opened_.take(soil, time);
-    settled_ = opened_;
-    rested_ = 0.0;
+    for (Stay& stay : stays_) {
+        stay.since = opened_;
+        stay.rested = 0.0;
+    }
 }
 
 void RestWatch::observe(const Soil& soil, double time) {
@@ -52,18 +55,26 @@ double RestWatch::furthest_since(const Mark& mark, const Soil& soil) const {
 
 void RestWatch::close_window(const Soil& soil, double time) {
     if (energy_since(opened_, soil, time) >= rest_energy_) last_motion_ = time;
-    const bool kept = furthest_since(settled_, soil) < grain_way_;
-    if (!kept) settled_.take(soil, time);
-    rested_ = kept && energy_since(settled_, soil, time) < rest_energy_ ? time - settled_.time : 0.0;
+    for (Stay& stay : stays_) {
+        const bool kept = furthest_since(stay.since, soil) < stay.way;
+        if (!kept) stay.since.take(soil, time);
+        const bool rests = kept && energy_since(stay.since, soil, time) < rest_energy_;
+        stay.rested = rests ? time - stay.since.time : 0.0;
+    }
     opened_.take(soil, time);
 }
 
 double RestWatch::motion_ended() const {
-    return std::min(last_motion_, settled_.time);
+    for (const Stay& stay : stays_) {
+        if (stay.rested >= stay.enough) return std::min(last_motion_, stay.since.time);
+    }
+    return last_motion_;
 }
 
 double RestWatch::progress() const {
-    return std::min(1.0, rested_ / (rest_windows * window_));
+    double share = 0.0;
+    for (const Stay& stay : stays_) share = std::max(share, stay.rested / stay.enough);
+    return std::min(1.0, share);
 }
 
 }  // namespace runout

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/geometry.h"
@@ -8,12 +9,14 @@
 namespace runout {
 
 /// Judges whether the mass has come to rest: for some time no particle has got away from its place, and the
-/// mean motion since then has next to no energy. Trembling, which leads nowhere, does not count; a single
-/// grain that is still on its way does.
+/// mean motion since then has next to no energy. A single grain that is still on its way counts. Trembling,
+/// which leads nowhere, does not: lone grains may rock to and fro for ever, by as much as from one particle
+/// of a bed of next to no friction to the next, and those are watched for longer.
 class RestWatch {
   public:
-    /// `length`: sqrt(S), m. `grain_way`: how far from its place a particle may get, m.
-    RestWatch(double gravity, double length, double grain_way);
+    /// `length`: sqrt(S), m. `grain_way`: how far from its place a particle at rest gets,
+    /// m; `rocking`: and one that rocks.
+    RestWatch(double gravity, double length, double grain_way, double rocking);
 
     /// Soil as it is now, not yet moving; also after more has been added.
     void start(const Soil& soil, double time);
@@ -33,6 +36,14 @@ class RestWatch {
 
         void take(const Soil& soil, double now);
     };
+    /// That every particle has kept its place to within `way` since an instant; rest if it lasts for
+    /// `enough`.
+    struct Stay {
+        double way = 0;     ///< m
+        double enough = 0;  ///< s
+        Mark since;
+        double rested = 0;  ///< s
+    };
 
     void close_window(const Soil& soil, double time);
     [[nodiscard]] double energy_since(const Mark& mark, const Soil& soil, double time) const;
@@ -40,11 +51,9 @@ class RestWatch {
 
     double rest_energy_;  ///< of the mean motion, J/kg
     double window_;       ///< s
-    double grain_way_;    ///< m
     Mark opened_;         ///< when the window opened
-    Mark settled_;        ///< since when every particle has kept its place
+    std::array<Stay, 2> stays_;
     double last_motion_ = 0;
-    double rested_ = 0;  ///< s
 };
 
 }  // namespace runout

@@ -17,6 +17,7 @@ namespace {
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
 constexpr double standing_spacings = 2.0;      // a lattice that finds its rest moves by up to one
+constexpr double rocking_way = 1.0;            // spacings, see RestWatch
 constexpr double resting_grain_way = 0.3;      // spacings; lone grains tremble by a quarter of one
 constexpr double sleep_window = 0.25;          // in sqrt(sqrt(S)/g)
 constexpr int equilibrium_rounds = 200;
@@ -83,7 +84,8 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
                       : time_to_stop(height_, run_.gravity, least_strength(material_, effects_))),
       invariants_({run_.gravity, height_, discretisation_.spacing, discretisation_.density, run_.courant,
                    tension_cut_off(material_, effects_)}),
-      rest_(run_.gravity, length_scale_, grain_way(effects_, discretisation_.spacing)),
+      rest_(run_.gravity, length_scale_, grain_way(effects_, discretisation_.spacing),
+            rocking_way * discretisation_.spacing),
       soil_(soil_at(packing.x, packing.y)),
       wall_(make_wall(bed_, discretisation_)),
       search_(discretisation_, threads_),
