@@ -1,7 +1,5 @@
 #include "engine/simulation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <thread>
@@ -16,7 +14,7 @@ namespace {
 
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
-constexpr double standing_spacings = 2.0;      // a lattice that finds its rest moves by up to one
+constexpr double working_face_way = 2.0;       // spacings, of cohesive soil
 constexpr double rocking_way = 1.0;            // spacings, see RestWatch
 constexpr double resting_grain_way = 0.3;      // spacings; lone grains tremble by a quarter of one
 constexpr double sleep_window = 0.25;          // in sqrt(sqrt(S)/g)
@@ -51,7 +49,7 @@ double time_to_stop(double height, double gravity, double strength) {
 /// spacing all the time, see docs/effects.md.
 double grain_way(const Effects& effects, double spacing) {
     const bool cohesive = effects.cohesion && effects.cohesion->strength > 0.0;
-    return (cohesive ? standing_spacings : resting_grain_way) * spacing;
+    return (cohesive ? working_face_way : resting_grain_way) * spacing;
 }
 
 double spacing_of(const Scene& scene) {
@@ -321,87 +319,6 @@ Vec2 Simulation::push_back(int i, double distance, const Vec2& normal) {
     guard_work_ += discretisation_.mass() *
                    (0.5 * (v.squaredNorm() - left.squaredNorm()) - run_.gravity * distance * normal.y());
     return v - left;
-}
-
-void Simulation::end(RunStatus status, std::string detail) {
-    status_ = status;
-    detail_ = std::move(detail);
-}
-
-/// Ends the run at rest, at the time limit, or with the name of what went wrong.
-void Simulation::judge(StepFacts& facts) {
-    facts.time = time_;
-    const double mass = discretisation_.mass() * soil_.count;
-    facts.work_done =
-        (friction_work_ - pressure_work_ + guard_work_ + side_wall_work_ + numerical_work_) / mass;
-    facts.work_supplied = shaking_work_ / mass;
-    invariants_.observe(soil_, neighbours_.density, facts);
-    const InvariantReading& residual = invariants_.readings()[static_cast<std::size_t>(Invariant::residual)];
-    if (residual.worst > residual.limit) {
-        return end(
-            RunStatus::not_converged,
-            fmt::format("the pressure equation missed its tolerance in 20 steps up to t = {:.4g} s", time_));
-    }
-    if (invariants_.violation()) return end(RunStatus::diverged, *invariants_.violation());
-    const double first = bed_.points().front().x();
-    const double last = bed_.points().back().x();
-    for (int i = 0; i < soil_.count; ++i) {
-        if (soil_.x[i] > last || soil_.x[i] < first) {
-            return end(
-                RunStatus::left_section,
-                fmt::format("soil passed the {} end of the section at t = {:.4g} s; lengthen the section",
-                            soil_.x[i] < first ? "uphill" : "distal", time_));
-        }
-    }
-    rest_.observe(soil_, time_);
-    if (rest_.at_rest()) return end_at_rest();
-    if (time_ - stage_start_ >= time_limit_) {
-        end(RunStatus::time_limit, fmt::format("still moving at the time limit of {:.4g} s", time_limit_));
-    }
-}
-
-void Simulation::end_at_rest() {
-    if (ground_motion_ && time_ < ground_motion_->ends()) return;
-    if (masses_released_ < release_.masses.size()) {  // nothing happens until then
-        time_ = std::max(time_, release_.masses[masses_released_].time);
-        return;
-    }
-    if (layers_released_ < release_.layers) {
-        stage_ended_ = true;
-        return;
-    }
-    end(greatest_displacement() < standing_spacings * discretisation_.spacing ? RunStatus::stable
-                                                                              : RunStatus::settled);
-}
-
-/// One more layer of a poured heap: a lattice at the uphill end, its lowest row one spacing above the highest
-/// particle beneath it (Fig. 5 of the paper). Its stress is that of free fall, none. What was at rest is
-/// taken as at rest, and energy is reckoned anew from here.
-void Simulation::release_layer() {
-    const double dl = discretisation_.spacing;
-    const int columns = std::max(1, static_cast<int>(std::lround(release_.layer_width / dl)));
-    const int rows = std::max(1, static_cast<int>(std::lround(release_.layer_height / dl)));
-    // Not at the head itself, where a wall may stand.
-    double top = bed_.elevation(release_head_ + 0.5 * dl);
-    for (int i = 0; i < soil_.count; ++i) {
-        if (soil_.x[i] < release_head_ + columns * dl) top = std::max(top, soil_.y[i]);
-    }
-    std::vector<Vec2> layer;
-    for (int i = 0; i < columns; ++i) {
-        for (int j = 0; j < rows; ++j)
-            layer.emplace_back(release_head_ + (i + 0.5) * dl, top + (j + 1.0) * dl);
-    }
-    height_ = std::max(height_, top + (rows + 0.5) * dl - floor_);
-    add_soil(layer);
-    ++layers_released_;
-}
-
-double Simulation::greatest_displacement() const {
-    double moved2 = 0.0;
-    for (int i = 0; i < soil_.count; ++i) {
-        moved2 = std::max(moved2, (Vec2{soil_.x[i], soil_.y[i]} - start_[soil_.id[i]]).squaredNorm());
-    }
-    return std::sqrt(moved2);
 }
 
 StateView Simulation::state() const {

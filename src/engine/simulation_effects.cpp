@@ -152,6 +152,28 @@ void Simulation::add_soil(const std::vector<Vec2>& points) {
     stage_ended_ = false;
 }
 
+/// One more layer of a poured heap: a lattice at the uphill end, its lowest row one spacing above the highest
+/// particle beneath it (Fig. 5 of the paper). Its stress is that of free fall, none. What was at rest is
+/// taken as at rest, and energy is reckoned anew from here.
+void Simulation::release_layer() {
+    const double dl = discretisation_.spacing;
+    const int columns = std::max(1, static_cast<int>(std::lround(release_.layer_width / dl)));
+    const int rows = std::max(1, static_cast<int>(std::lround(release_.layer_height / dl)));
+    // Not at the head itself, where a wall may stand.
+    double top = bed_.elevation(release_head_ + 0.5 * dl);
+    for (int i = 0; i < soil_.count; ++i) {
+        if (soil_.x[i] < release_head_ + columns * dl) top = std::max(top, soil_.y[i]);
+    }
+    std::vector<Vec2> layer;
+    for (int i = 0; i < columns; ++i) {
+        for (int j = 0; j < rows; ++j)
+            layer.emplace_back(release_head_ + (i + 0.5) * dl, top + (j + 1.0) * dl);
+    }
+    height_ = std::max(height_, top + (rows + 0.5) * dl - floor_);
+    add_soil(layer);
+    ++layers_released_;
+}
+
 /// The next mass of a staged release, with the bed that it leaves.
 void Simulation::release_mass() {
     const LaterMass& mass = release_.masses[masses_released_++];
