@@ -10,13 +10,15 @@
 namespace runout {
 
 /// Square cells over a window of the plane. Cells of one column are contiguous, so that three neighbouring
-/// cells of a column are one range of particles.
+/// cells of a column are one range of particles. Only columns that hold something have cells: single grains
+/// may lie far from each other.
 struct CellGrid {
     double size = 1;   ///< edge of a cell, m
     long column0 = 0;  ///< first column and row of the window, in cells from the origin of the plane
     long row0 = 0;
     int columns = 0;
     int rows = 0;
+    std::vector<int> slot;   ///< per column of the window: which of those that hold something; -1: none
     std::vector<int> start;  ///< particles of cell c: [start[c], start[c+1])
 
     [[nodiscard]] long column(double x) const { return static_cast<long>(std::floor(x / size)); }
@@ -26,6 +28,7 @@ struct CellGrid {
     void cover(const std::vector<double>& x, const std::vector<double>& y, std::size_t count) {
         columns = rows = 0;
         start.assign(1, 0);
+        slot.clear();
         if (count == 0) return;
         const auto [x_low, x_high] = std::minmax_element(x.begin(), x.begin() + static_cast<long>(count));
         const auto [y_low, y_high] = std::minmax_element(y.begin(), y.begin() + static_cast<long>(count));
@@ -33,13 +36,19 @@ struct CellGrid {
         row0 = row(*y_low);
         columns = static_cast<int>(column(*x_high) - column0) + 1;
         rows = static_cast<int>(row(*y_high) - row0) + 1;
-        set_all(start, static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) + 1, 0);
+        set_all(slot, static_cast<std::size_t>(columns), -1);
+        for (std::size_t i = 0; i < count; ++i) slot[static_cast<std::size_t>(column(x[i]) - column0)] = 0;
+        int filled = 0;
+        for (int& s : slot) {
+            if (s == 0) s = filled++;
+        }
+        set_all(start, static_cast<std::size_t>(filled) * static_cast<std::size_t>(rows) + 1, 0);
     }
 
-    /// Index of the cell of a point inside the window.
+    /// Index of the cell of one of the points that the window covers.
     [[nodiscard]] std::size_t cell(double x, double y) const {
-        return static_cast<std::size_t>(column(x) - column0) * static_cast<std::size_t>(rows) +
-               static_cast<std::size_t>(row(y) - row0);
+        const auto s = static_cast<std::size_t>(slot[static_cast<std::size_t>(column(x) - column0)]);
+        return s * static_cast<std::size_t>(rows) + static_cast<std::size_t>(row(y) - row0);
     }
 
     /// Stable counting sort: fills `start`, and `order` with particle indices cell by cell.
@@ -68,7 +77,9 @@ struct CellGrid {
         if (low > high) return;
         for (long c = std::max(cx - reach, 0L); c <= std::min(cx + reach, static_cast<long>(columns) - 1);
              ++c) {
-            const std::size_t base = static_cast<std::size_t>(c) * static_cast<std::size_t>(rows);
+            const int s = slot[static_cast<std::size_t>(c)];
+            if (s < 0) continue;
+            const std::size_t base = static_cast<std::size_t>(s) * static_cast<std::size_t>(rows);
             const int first = start[base + static_cast<std::size_t>(low)];
             const int last = start[base + static_cast<std::size_t>(high) + 1];
             if (first < last) f(first, last);

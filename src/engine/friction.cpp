@@ -69,8 +69,6 @@ void Friction::save(const Neighbours& n, Soil& soil, Wall& wall) const {
         soil.sxx[i] = stress_[i].x;
         soil.sxy[i] = stress_[i].y;
     }
-    std::fill(wall.sxx.begin(), wall.sxx.end(), 0.0);
-    std::fill(wall.sxy.begin(), wall.sxy.end(), 0.0);
     for (int a = 0; a < n.active_count(); ++a) {
         wall.sxx[n.active[a]] = stress_[n.first_boundary + a].x;
         wall.sxy[n.active[a]] = stress_[n.first_boundary + a].y;

@@ -1,5 +1,6 @@
 #include "engine/neighbours.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -131,6 +132,7 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
     clear(block);
     for (int slice = 0; slice < slices_per_block; ++slice) {
         const int first_row = block.first_row + slice * lanes;
+        const bool rests = n.rests(first_row);
         int soil_width = 0;
         std::size_t width = 0;
         for (int l = 0; l < lanes; ++l) {
@@ -138,7 +140,7 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
             rows.wall[l].merged.clear();
             const int i = first_row + l;
             if (i >= soil.count) continue;
-            if (!n.rests(i)) finder.find_soil(grid_, soil, i, rows.soil[l]);
+            if (!rests) finder.find_soil(grid_, soil, i, rows.soil[l]);
             finder.find_wall(wall, soil.x[i], soil.y[i], rows.wall[l]);
             soil_width = std::max(soil_width, rows.soil[l].count);
             width = std::max(width, rows.soil[l].count + rows.wall[l].merged.size());
@@ -152,7 +154,7 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
             write_wall_pairs(block, first, first_row, rows);
         }
         for (int l = 0; l < lanes && first_row + l < soil.count; ++l) {
-            if (n.rests(first_row + l))
+            if (rests)
                 write_resting_sums(n, first_row + l, rows.wall[l]);
             else
                 write_sums(n, first_row + l, sums, l, rows.wall[l]);
@@ -180,16 +182,24 @@ void NeighbourSearch::write_sums(Neighbours& n, int i, const SliceSums& soil, in
 }
 
 void NeighbourSearch::number_boundary(const Soil& soil, const Wall& wall, Neighbours& n) {
-    node_of_boundary_.assign(wall.boundary_count, -1);
-    for (const PairBlock& block : n.blocks) {
-        for (const WallPair& pair : block.wall_pairs) node_of_boundary_[pair.boundary] = 0;
+    // Nothing here may take time in proportion to the length of the section.
+    if (node_of_boundary_.size() != static_cast<std::size_t>(wall.boundary_count)) {
+        node_of_boundary_.assign(static_cast<std::size_t>(wall.boundary_count), -1);
+        n.active.clear();
     }
+    for (const int b : n.active) node_of_boundary_[b] = -1;
+    n.left.swap(n.active);
     n.active.clear();
-    for (int b = 0; b < wall.boundary_count; ++b) {
-        if (node_of_boundary_[b] < 0) continue;
-        node_of_boundary_[b] = n.first_boundary + n.active_count();
-        n.active.push_back(b);
+    for (const PairBlock& block : n.blocks) {
+        for (const WallPair& pair : block.wall_pairs) {
+            if (node_of_boundary_[pair.boundary] >= 0) continue;
+            node_of_boundary_[pair.boundary] = 0;
+            n.active.push_back(pair.boundary);
+        }
     }
+    std::sort(n.active.begin(), n.active.end());
+    for (int a = 0; a < n.active_count(); ++a) node_of_boundary_[n.active[a]] = n.first_boundary + a;
+    std::erase_if(n.left, [&](int b) { return node_of_boundary_[b] >= 0; });
     n.nodes = soil.padded() + n.active_count();
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
         PairBlock& block = n.blocks[b];

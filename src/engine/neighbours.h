@@ -58,6 +58,7 @@ struct Neighbours {
     std::vector<PairBlock> blocks;
 
     std::vector<int> active;          ///< wall index of each active boundary particle, ascending
+    std::vector<int> left;            ///< boundary particles that were active last time and are no longer
     std::vector<int> boundary_start;  ///< compressed rows over `active`
     std::vector<BoundaryPair> boundary_pairs;
     std::vector<int> boundary_soil;  ///< soil particles within the boundary particle's own support

@@ -36,6 +36,7 @@ PairRows pair_rows(const PairBlock& block, const Neighbours& n);
 template <class Function>
 void for_each_awake_run(const PairBlock& block, const Neighbours& n, const Function& f) {
     const PairRows all = pair_rows(block, n);
+    if (n.resting.empty()) return f(all, std::min(all.first_row + rows_per_block, n.soil_count));
     const auto rests = [&](int slice) { return n.rests(all.first_row + slice * lanes); };
     for (int first = 0; first < all.slices;) {
         int end = first;

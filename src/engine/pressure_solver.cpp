@@ -30,9 +30,10 @@ void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& w
     set_all(pressure_, n.nodes, 0.0);
     set_all(diagonal_, n.nodes, 1.0);
     set_all(free_, n.nodes, char{0});
+    const bool all_awake = n.resting.empty();
     for (int i = 0; i < soil.count; ++i) {
         pressure_[i] = soil.pressure[i];
-        if (n.rests(i)) continue;
+        if (!all_awake && n.rests(i)) continue;
         free_[i] = 1;
         diagonal_[i] = n.stiffness_sum[i];
         if (n.density[i] < surface_density) {
@@ -58,8 +59,10 @@ void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& w
             sum += wall.neighbour_stiffness[k];
         diagonal_[node] = sum;
     }
-    boundary_node_.assign(wall.boundary_count, -1);
+    boundary_node_.resize(static_cast<std::size_t>(wall.boundary_count), -1);
+    for (const int b : numbered_) boundary_node_[b] = -1;
     for (int a = 0; a < n.active_count(); ++a) boundary_node_[n.active[a]] = n.first_boundary + a;
+    numbered_ = n.active;
 }
 
 /// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n. On return product = A p^n.
@@ -254,7 +257,6 @@ PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
     if (steps_since_build_ == 0) iterations_after_build_ = result.iterations;
     cut_off_tension(n);
     std::copy_n(pressure_.begin(), soil.count, soil.pressure.begin());
-    std::fill(wall.pressure.begin(), wall.pressure.end(), 0.0);
     for (int a = 0; a < n.active_count(); ++a) wall.pressure[n.active[a]] = pressure_[n.first_boundary + a];
     for (int i = 0; i < soil.count; ++i) result.highest = std::max(result.highest, pressure_[i]);
     return result;

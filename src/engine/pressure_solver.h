@@ -57,7 +57,11 @@ class PressureSolver {
     }
 
     /// The wall is another one from now on.
-    void forget_wall() { wall_aggregate_.clear(); }
+    void forget_wall() {
+        wall_aggregate_.clear();
+        boundary_node_.clear();
+        numbered_.clear();
+    }
 
     /// On return soil and wall hold the pressure of the end of the step.
     PressureSolve solve(const Neighbours& n, Soil& soil, Wall& wall, const std::vector<double>& vx,
@@ -102,7 +106,8 @@ class PressureSolver {
     std::vector<double> pressure_, right_hand_side_, diagonal_, residual_, correction_, direction_, product_;
     std::vector<char> free_;
     std::vector<int> aggregate_;
-    std::vector<int> boundary_node_;
+    std::vector<int> boundary_node_;  ///< per boundary particle of the wall; -1: not active
+    std::vector<int> numbered_;       ///< those that have one
     std::vector<double> partial_;
 };
 

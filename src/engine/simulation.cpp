@@ -149,6 +149,7 @@ void Simulation::step() {
     const int resting = sleep_ ? sleep_->find_resting(soil_, neighbours_.resting) : 0;
     search_.find(soil_, wall_, neighbours_);
     if (resting > 0) let_sleep(resting);
+    for (const int b : neighbours_.left) wall_.pressure[b] = wall_.sxx[b] = wall_.sxy[b] = 0.0;
     const double dt = choose_time_step();
     const PressureSolve solve = in_free_flight() ? fly(dt) : resist(dt);
     clock_.enter(Phase::motion);
@@ -283,8 +284,9 @@ StepFacts Simulation::guard_wall(double dt) {
     StepFacts facts;
     // A grain that lies on the line without a neighbour to carry it falls this far from rest: no defect.
     const double harmless = 0.01 * discretisation_.spacing + run_.gravity * dt * dt;
+    const bool all_awake = neighbours_.resting.empty();
     for (int i = 0; i < soil_.count; ++i) {
-        if (neighbours_.rests(i)) continue;
+        if (!all_awake && neighbours_.rests(i)) continue;
         const int boundary = neighbours_.nearest_boundary[i];
         const BedLine::Nearest near =
             boundary < 0 ? bed_.below(soil_.x[i], soil_.y[i])

@@ -41,8 +41,7 @@ PressureSolve Simulation::fly(double dt) {
         predicted_vx_[i] = soil_.vx[i] + gain.x();
         predicted_vy_[i] = soil_.vy[i] + gain.y();
     }
-    for (auto* field : {&soil_.pressure, &soil_.sxx, &soil_.sxy, &force_x_, &force_y_, &wall_.pressure,
-                        &wall_.sxx, &wall_.sxy})
+    for (auto* field : {&soil_.pressure, &soil_.sxx, &soil_.sxy, &force_x_, &force_y_})
         std::fill(field->begin(), field->end(), 0.0);
     work_.flying_particle_steps += soil_.count;
     return {.converged = true};

@@ -83,12 +83,16 @@ void SleepWatch::find_growing(const Soil& soil) {
 /// From each restless cell to its neighbours.
 void SleepWatch::spread() {
     set_all(disturbed_, restless_.size(), char{0});
+    const auto cell = [&](int column, int row) {
+        return static_cast<std::size_t>(grid_.slot[column]) * grid_.rows + row;
+    };
     for (int c = 0; c < grid_.columns; ++c) {
-        for (int r = 0; r < grid_.rows; ++r) {
-            if (!restless_[static_cast<std::size_t>(c) * grid_.rows + r]) continue;
+        for (int r = 0; grid_.slot[c] >= 0 && r < grid_.rows; ++r) {
+            if (!restless_[cell(c, r)]) continue;
             for (int i = std::max(c - 1, 0); i <= std::min(c + 1, grid_.columns - 1); ++i) {
-                for (int j = std::max(r - 1, 0); j <= std::min(r + 1, grid_.rows - 1); ++j)
-                    disturbed_[static_cast<std::size_t>(i) * grid_.rows + j] = 1;
+                for (int j = std::max(r - 1, 0); grid_.slot[i] >= 0 && j <= std::min(r + 1, grid_.rows - 1);
+                     ++j)
+                    disturbed_[cell(i, j)] = 1;
             }
         }
     }
