@@ -62,7 +62,8 @@ void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& w
     boundary_node_.resize(static_cast<std::size_t>(wall.boundary_count), -1);
     for (const int b : numbered_) boundary_node_[b] = -1;
     for (int a = 0; a < n.active_count(); ++a) boundary_node_[n.active[a]] = n.first_boundary + a;
-    numbered_ = n.active;
+    make_room(numbered_, n.active.size());
+    numbered_.assign(n.active.begin(), n.active.end());
 }
 
 /// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n. On return product = A p^n.
