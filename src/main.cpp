@@ -22,6 +22,7 @@ constexpr const char* examples = R"(Examples:
   runout effects case.toml
   runout table runout.db --format csv
   runout sweep study.toml --db sweep.db
+  runout estimate sweep.db --slope-angle 60 --drop-height 3 --front-area 0.2 --friction-angle 35
   runout accuracy cases/box-70/case.toml --target 5%
   runout profile sections.gpkg --raster dem.tif
   runout map runout.db -o results.gpkg
@@ -89,6 +90,7 @@ int run_program(int argc, char** argv) {
     add_sweep_command(app, command);
     add_merge_command(app, command);
     add_table_command(app, command);
+    add_estimate_command(app, command);
     add_accuracy_command(app, command);
     add_map_command(app, command);
     add_report_command(app, command);

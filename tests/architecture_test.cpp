@@ -18,8 +18,9 @@ using Names = std::vector<std::string>;
 
 /// The arrow. A room may include itself and what stands before it; the program stands at the end.
 const Names& arrow() {
-    static const Names rooms = {"core",  "gis",      "profile", "source",     "scene",  "engine", "measures",
-                                "store", "accuracy", "study",   "validation", "stress", "report", "program"};
+    static const Names rooms = {"core",   "gis",        "profile", "source",   "scene",
+                                "engine", "measures",   "store",   "estimate", "accuracy",
+                                "study",  "validation", "stress",  "report",   "program"};
     return rooms;
 }
 

@@ -8,14 +8,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <optional>
 #include <random>
 
+#include "store/write_ahead.h"
 #include "store_fixture.h"
 
 namespace runout {
 namespace {
 
 constexpr int kills = 100;
+
+enum class Journal { rollback, write_ahead };
 
 /// A run large enough that writing it takes a while, told apart by its number.
 RunResult numbered_result(long number) {
@@ -27,7 +31,9 @@ RunResult numbered_result(long number) {
 
 /// Stores runs numbered from `first` on, opening the file for each, and says each number on `acknowledge`
 /// when it is stored. Ends only by being killed.
-[[noreturn]] void write_runs(const std::string& path, long first, int acknowledge) {
+[[noreturn]] void write_runs(const std::string& path, long first, int acknowledge, Journal journal) {
+    std::optional<WriteAheadLog> log;
+    if (journal == Journal::write_ahead) log.emplace(path);
     for (long number = first;; ++number) {
         Scene scene = example_scene();
         scene.material.friction_angle = 0.3 + 1e-6 * static_cast<double>(number);
@@ -38,11 +44,12 @@ RunResult numbered_result(long number) {
 
 /// Numbers said by a writer that was killed some time after it had said `least` of them, so that slow
 /// machines get as far as fast ones.
-std::vector<long> written_until_killed(const std::string& path, long first, int least, int microseconds) {
+std::vector<long> written_until_killed(const std::string& path, long first, int least, int microseconds,
+                                       Journal journal) {
     int ends[2];
     EXPECT_EQ(pipe(ends), 0);
     const pid_t child = fork();
-    if (child == 0) write_runs(path, first, ends[1]);
+    if (child == 0) write_runs(path, first, ends[1], journal);
     close(ends[1]);
     std::vector<long> numbers;
     long number = 0;
@@ -64,7 +71,10 @@ std::vector<long> stored_numbers(const Store& store) {
     return numbers;
 }
 
-TEST_F(StoreTest, AWriterKilledAtAnyMomentLosesNoFinishedRunAndLeavesNoHalf) {
+class JournalTest : public StoreTest, public testing::WithParamInterface<Journal> {};
+INSTANTIATE_TEST_SUITE_P(Both, JournalTest, testing::Values(Journal::rollback, Journal::write_ahead));
+
+TEST_P(JournalTest, AWriterKilledAtAnyMomentLosesNoFinishedRunAndLeavesNoHalf) {
     std::mt19937 random(20240607);
     std::uniform_int_distribution<int> microseconds(0, 60'000);
     std::uniform_int_distribution<int> least(0, 2);
@@ -73,7 +83,8 @@ TEST_F(StoreTest, AWriterKilledAtAnyMomentLosesNoFinishedRunAndLeavesNoHalf) {
     std::size_t unsaid = 0;
     for (int k = 0; k < kills; ++k) {
         const std::size_t before = stored_numbers(Store(path, Store::Mode::read)).size();
-        const std::vector<long> said = written_until_killed(path, next, least(random), microseconds(random));
+        const std::vector<long> said =
+            written_until_killed(path, next, least(random), microseconds(random), GetParam());
         const Store store(path, Store::Mode::write);  // whoever comes next, as a batch that goes on would
         const std::vector<long> stored = stored_numbers(store);
         ASSERT_EQ(raw().execAndGet("PRAGMA integrity_check").getString(), "ok");
@@ -91,6 +102,34 @@ TEST_F(StoreTest, AWriterKilledAtAnyMomentLosesNoFinishedRunAndLeavesNoHalf) {
     EXPECT_EQ(count("invariant"), runs * static_cast<long>(example_result().invariants.size()));
     RecordProperty("runs", std::to_string(runs));
     RecordProperty("committed_but_unsaid", std::to_string(unsaid));
+}
+
+TEST_F(StoreTest, TheOneFileIsCompleteAfterAWriteAheadLog) {
+    add(example_scene(), example_result());
+    {
+        const WriteAheadLog log(path);
+        ASSERT_TRUE(log.is_on());
+        Store store(path, Store::Mode::write);
+        store.add(example_scene(), example_result());
+        EXPECT_EQ(Store(path, Store::Mode::read).runs().size(), 2u) << "others can read meanwhile";
+        EXPECT_GT(files(), 1u);
+    }
+    EXPECT_EQ(files(), 1u);
+    EXPECT_EQ(raw().execAndGet("PRAGMA journal_mode").getString(), "delete");
+    const std::string copy = path + ".copy";
+    fs::copy_file(path, copy);
+    EXPECT_EQ(Store(copy, Store::Mode::read).runs().size(), 2u);
+}
+
+TEST_F(StoreTest, OfTwoWriteAheadLogsTheLastToGoLeavesOneFile) {
+    {
+        auto first = std::make_unique<WriteAheadLog>(path), second = std::make_unique<WriteAheadLog>(path);
+        EXPECT_TRUE(first->is_on() && second->is_on());
+        first.reset();
+        add(example_scene(), example_result());
+    }
+    EXPECT_EQ(files(), 1u);
+    EXPECT_EQ(raw().execAndGet("PRAGMA journal_mode").getString(), "delete");
 }
 
 /// In a process of its own: a file system of 1 MiB in `directory`, that no one else sees. Exit 77: not

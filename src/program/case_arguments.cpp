@@ -98,6 +98,10 @@ void add_case_arguments(CLI::App& subcommand, CaseArguments& arguments) {
         ->required()
         ->type_name("");
     for (const ShortOption& entry : short_options) add_short_option(subcommand, arguments, entry);
+    add_set_option(subcommand, arguments);
+}
+
+void add_set_option(CLI::App& subcommand, CaseArguments& arguments) {
     const auto remember = [&arguments](const std::vector<std::string>& settings) {
         for (const std::string& setting : settings) arguments.overrides.push_back(split_setting(setting));
     };

@@ -24,6 +24,9 @@ struct CaseArguments {
 /// Declares FILE, `--set` and an option for each of the keys that are used most.
 void add_case_arguments(CLI::App& subcommand, CaseArguments& arguments);
 
+/// Declares `--set` alone.
+void add_set_option(CLI::App& subcommand, CaseArguments& arguments);
+
 /// The case with the command line's keys in place. Throws InputError.
 CaseSpec case_from(const CaseArguments& arguments);
 

@@ -28,6 +28,7 @@ void add_accuracy_command(CLI::App& app, Command& command);
 void add_sweep_command(CLI::App& app, Command& command);
 void add_merge_command(CLI::App& app, Command& command);
 void add_table_command(CLI::App& app, Command& command);
+void add_estimate_command(CLI::App& app, Command& command);
 void add_report_command(CLI::App& app, Command& command);
 void add_compare_command(CLI::App& app, Command& command);
 void add_export_command(CLI::App& app, Command& command);

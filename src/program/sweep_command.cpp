@@ -19,6 +19,7 @@
 #include "program/slurm_job.h"
 #include "scene/scene.h"
 #include "store/store.h"
+#include "store/write_ahead.h"
 #include "study/run_queue.h"
 #include "study/scenarios.h"
 #include "study/study_file.h"
@@ -193,6 +194,7 @@ class SweepLog {
 
 int run_sweep(const SweepArguments& arguments, const Study& study, const ScenarioList& scenarios,
               const Shard& shard) {
+    const WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
     const long study_id = store.begin_study(study.name, study.text);
     const InterruptWatch interrupt;

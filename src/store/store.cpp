@@ -117,6 +117,11 @@ std::vector<StudyRow> Store::study_rows(long study_id) const {
         [=](SQLite::Database& database) { return select_study_rows(database, study_id); });
 }
 
+std::vector<ChartRow> Store::chart_rows(std::optional<long> study_id) const {
+    return impl_->with_database(
+        [=](SQLite::Database& database) { return select_chart_rows(database, study_id); });
+}
+
 MergeCounts Store::merge(const std::string& path) {
     if (std::filesystem::exists(path) && std::filesystem::equivalent(path, impl_->path))
         throw InputError({.file = path, .line = 0, .key = {}, .value = {}}, "is the database to merge into",

@@ -10,6 +10,7 @@
 #include "measures/measures.h"
 #include "scene/effect_settings.h"
 #include "scene/scene.h"
+#include "store/chart_rows.h"
 #include "store/merge.h"
 #include "store/study_rows.h"
 
@@ -194,6 +195,8 @@ class Store {
     [[nodiscard]] std::vector<StoredStudy> studies() const;
     /// The scenarios of a study with the latest run of each, in the order of the study.
     [[nodiscard]] std::vector<StudyRow> study_rows(long study_id) const;
+    /// The scenarios of a study, or all, as a run-out chart needs them.
+    [[nodiscard]] std::vector<ChartRow> chart_rows(std::optional<long> study_id) const;
 
     /// Copies what is missing here from the results database at `path` (see store/merge.h). All or nothing.
     /// Throws InputError.
