@@ -114,6 +114,10 @@ TEST_F(BackAnalysisTest, RunsWhatIsMissingOnceAndTellsTheRange) {
     EXPECT_EQ(run_back_analysis(analysis, store, options), ids);
     EXPECT_EQ(simulated, 4) << "nothing is simulated twice";
 
+    ASSERT_EQ(store.studies().size(), 1u) << "a back-analysis is a study";
+    const std::vector<StudyRow> rows = store.study_rows(store.studies()[0].study_id);
+    ASSERT_EQ(rows.size(), 4u);
+    for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(rows[i].run_id, ids[i]);
     std::vector<StoredRun> runs;
     for (const long id : ids) runs.push_back(store.run(id));
     const ModelRange range = model_range(runs, &Measures::run_out_m);

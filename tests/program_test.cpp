@@ -169,7 +169,7 @@ TEST_F(ProgramTest, HelpsWithEverySubcommand) {
     for (const char* word : {"run ", "source ", "table ", "help ", "Examples:", "Exit codes:"})
         EXPECT_TRUE(contains(outcome.out, word)) << word;
     for (const char* sub : {"run", "profile", "source", "table", "map", "report", "compare", "export",
-                            "back-analysis", "help"}) {
+                            "back-analysis", "estimate", "help"}) {
         EXPECT_EQ(runout({sub, "--help"}).exit_code, 0) << sub;
         EXPECT_TRUE(contains(runout({"help", sub}).out, fmt::format("runout {}", sub))) << sub;
     }
@@ -190,9 +190,9 @@ TEST_F(ProgramTest, HelpKeysTellsEveryKeyWithRangeAndDefault) {
 
 TEST_F(ProgramTest, RefusesCommandLinesItDoesNotUnderstand) {
     expect_refused({}, {"subcommand"});
-    expect_refused(
-        {"rnu", "case.toml"},
-        {"rnu is not a subcommand", "run, profile, source, effects, sweep, merge, table, accuracy, map"});
+    expect_refused({"rnu", "case.toml"},
+                   {"rnu is not a subcommand",
+                    "run, profile, source, effects, sweep, merge, table, estimate, accuracy, map"});
     expect_refused({"run"}, {"FILE"});
     expect_refused({"run", "case.toml", "--angle", "3"}, {"--angle"});
     expect_refused({"run", "case.toml", "--friction-angle"}, {"--friction-angle"});
@@ -458,7 +458,6 @@ TEST_F(ProgramTest, ReportsComparesAndExportsAStoredRun) {
     EXPECT_TRUE(fs::exists(work() / "tables/series.csv"));
 
     EXPECT_EQ(runout({"report", "runout.db", "--section", "1", "-o", "section.html"}).exit_code, 0);
-    EXPECT_EQ(runout({"report", "runout.db", "--named", "work", "-o", "named.html"}).exit_code, 0);
 }
 
 TEST_F(ProgramTest, RefusesReportsItCannotMake) {
@@ -466,7 +465,8 @@ TEST_F(ProgramTest, RefusesReportsItCannotMake) {
     ASSERT_EQ(runout({"run", "case.toml", "--quiet", "--frames", "0"}).exit_code, 0);
     expect_refused({"report", "runout.db", "--run", "7"}, {"7", "no such run"});
     expect_refused({"report", "runout.db", "--section", "7"}, {"7", "section"});
-    expect_refused({"report", "runout.db", "--named", "nobody"}, {"nobody", "begins no run's name"});
+    expect_refused({"report", "runout.db", "--study", "none"}, {"--study = none", "it holds no study"});
+    expect_refused({"report", "runout.db", "--run", "1", "--study", "none"}, {"--study"});
     expect_refused({"report", "runout.db", "--run", "1", "--section", "1"}, {"--section"});
     expect_refused({"report", "runout.db", "-o", "absent/page.html"}, {"absent", "does not exist"});
     expect_refused({"report", "runout.db", "-o", "."}, {"is a directory"});
@@ -702,6 +702,38 @@ TEST_F(ProgramTest, ASweepGivesOneTableWhateverTheOrderAndTheNumberOfWorkers) {
     EXPECT_TRUE(contains(runout({"merge", "all.db", "shard-1.db"}).out, "0 runs added"))
         << "merging twice adds nothing";
     EXPECT_EQ(runout({"table", "all.db"}).out, table);
+}
+
+TEST_F(ProgramTest, EstimatesFromTheRunsOfASweepAndRefusesOutsideOfThem) {
+    write("study.toml",
+          "[study]\nname = \"chart\"\ncase = \"case.toml\"\nsamples = 24\n[vary]\nrun.resolution = 6\n"
+          "material.friction_angle_deg = { distribution = \"uniform\", low = 30, high = 38 }\n");
+    ASSERT_EQ(runout({"sweep", "study.toml", "--db", "chart.db", "--quiet"}).exit_code, 0);
+    for (const char* study : {"chart", "1"}) {
+        const Outcome outcome =
+            runout({"estimate", "chart.db", "--study", study, "--phi", "34", "--area", "4", "--json"});
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        const Json json = Json::parse(outcome.out);
+        EXPECT_EQ(json["runs"], 24);
+        EXPECT_EQ(json["run_out_m"].get<double>(), 2 * json["run_out_normalised"].get<double>());
+        EXPECT_EQ(json["varied"].size(), 1u);
+    }
+    const Outcome outcome =
+        runout({"estimate", "chart.db", "case.toml", "--set", "material.friction_angle_deg=34"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.out, "The same in all runs, and no variable: slope angle 69.4 deg"))
+        << outcome.out;
+    EXPECT_TRUE(contains(runout({"estimate", "chart.db", "--check"}).out, "Every fifth run held out"));
+    EXPECT_EQ(runout({"report", "chart.db", "--study", "1", "-o", "study.html"}).exit_code, 0);
+    EXPECT_TRUE(contains(text_of(work("study.html")), "24 scenarios"));
+    expect_refused({"estimate", "chart.db", "--phi", "45"}, {"friction angle = 45", "lies outside the runs"});
+    expect_refused({"estimate", "chart.db", "--phi", "34", "--slope-angle", "60"},
+                   {"slope angle = 60", "all 24 runs"});
+    expect_refused({"estimate", "chart.db", "--area", "4"}, {"friction angle", "is not given"});
+    expect_refused({"estimate", "chart.db"}, {"says not what is to be estimated"});
+    expect_refused({"estimate", "chart.db", "case.toml", "--phi", "34"}, {"a case and numbers"});
+    expect_refused({"estimate", "chart.db", "--phi", "34", "--study", "x"}, {"--study = x", "chart (1)"});
+    expect_refused({"estimate", "none.db", "--phi", "34"}, {"none.db", "no such file"});
 }
 
 TEST_F(ProgramTest, AChangedStudyRunsOnlyWhatIsNew) {

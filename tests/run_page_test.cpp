@@ -109,18 +109,21 @@ TEST_F(RunPageTest, ARunWithoutPicturesSaysSo) {
 TEST_F(RunPageTest, EffectsAreOnOnlyWhereTheCaseNamesThem) {
     Scene scene = example_scene();
     RunResult result = example_result();
-    EXPECT_TRUE(contains(effects_section(stored(scene, result)).body, "base friction</th><td>off</td>"));
+    EXPECT_TRUE(contains(effects_section(stored(scene, result)).body,
+                         "base friction</th><td class=\"label\">off</td>"));
     scene.effects.base_friction = BaseFriction{radians(14.5)};
     result.effects = {{"base_friction", true, "the bed slides", 0.25}};
     const std::string on = effects_section(stored(scene, result)).body;
-    EXPECT_TRUE(contains(on, "base friction</th><td>on</td><td>the bed slides (angle_deg = 14.5)"));
-    EXPECT_TRUE(contains(on, "release</th><td>off</td>"));
+    EXPECT_TRUE(
+        contains(on, "base friction</th><td class=\"label\">on</td><td>the bed slides (angle_deg = 14.5)"));
+    EXPECT_TRUE(contains(on, "release</th><td class=\"label\">off</td>"));
 }
 
 TEST_F(RunPageTest, InputsHaveUnitsAndMeanings) {
     const std::string body = inputs_section(stored()).body;
-    EXPECT_TRUE(
-        contains(body, ">density</th><td class=\"number\" data-value=\"1900\">1900</td><td>kg/m³</td>"));
+    EXPECT_TRUE(contains(
+        body,
+        ">density</th><td class=\"number\" data-value=\"1900\">1900</td><td class=\"label\">kg/m³</td>"));
     EXPECT_TRUE(contains(body, "h / particle spacing"));
 }
 

@@ -4,10 +4,10 @@
 #include <memory>
 #include <optional>
 
-#include "core/input_error.h"
 #include "program/command.h"
 #include "program/output_file.h"
 #include "program/run_choice.h"
+#include "program/study_choice.h"
 #include "report/run_page.h"
 #include "report/study_page.h"
 #include "store/store.h"
@@ -19,24 +19,22 @@ struct ReportArguments {
     RunChoice choice;
     std::string output = "report.html";
     std::optional<long> section_id;
-    std::string named;
+    std::string study;
     double width = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Runs whose name begins like that: all of a back-analysis, a validation or a study have such names.
-std::vector<StoredRun> runs_named(const Store& store, const ReportArguments& arguments) {
-    std::vector<StoredRun> runs = store.runs();
-    std::erase_if(runs, [&](const StoredRun& run) { return !run.name.starts_with(arguments.named); });
-    if (runs.empty())
-        throw InputError(
-            {.file = arguments.choice.database, .line = 0, .key = "--named", .value = arguments.named},
-            "begins no run's name", "`runout table` lists the names");
+std::vector<StoredRun> runs_of(const Store& store, const StoredStudy& study) {
+    std::vector<StoredRun> runs;
+    for (const StudyRow& row : store.study_rows(study.study_id))
+        if (row.run_id) runs.push_back(store.run(*row.run_id));
     return runs;
 }
 
 std::string page_of(const Store& store, const ReportArguments& arguments) {
-    if (!arguments.named.empty())
-        return study_page("Runs named " + arguments.named, runs_named(store, arguments));
+    if (!arguments.study.empty()) {
+        const StoredStudy study = chosen_study(store, arguments.choice.database, arguments.study);
+        return study_page("Study " + study.name, runs_of(store, study));
+    }
     if (arguments.section_id) {
         const std::vector<StoredRun> runs = store.runs_on_section(*arguments.section_id);
         return study_page("Runs on " + runs.back().section_origin, runs);
@@ -63,9 +61,8 @@ void add_report_command(CLI::App& app, Command& command) {
     sub->add_option("--section", arguments->section_id, "Show all runs on this section instead of one run")
         ->type_name("ID")
         ->excludes("--run");
-    sub->add_option("--named", arguments->named,
-                    "Show all runs whose name begins with this, such as those of one study")
-        ->type_name("TEXT")
+    sub->add_option("--study", arguments->study, "Show all scenarios of this study instead of one run")
+        ->type_name("NAME|ID")
         ->excludes("--run")
         ->excludes("--section");
     add_width_option(*sub, arguments->width);

@@ -6,6 +6,7 @@
 
 #include "core/input_error.h"
 #include "program/command.h"
+#include "program/study_choice.h"
 #include "report/run_out_table.h"
 #include "report/table.h"
 #include "store/store.h"
@@ -38,20 +39,10 @@ constexpr std::array study_formats = {
     std::pair{"text", RunOutTableFormat::text}, std::pair{"csv", RunOutTableFormat::csv},
     std::pair{"json", RunOutTableFormat::json}, std::pair{"markdown", RunOutTableFormat::markdown}};
 
-StoredStudy study_named(const std::vector<StoredStudy>& studies, const TableArguments& arguments) {
-    std::string names;
-    for (const StoredStudy& study : studies) {
-        if (study.name == arguments.study) return study;
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", study.name);
-    }
-    throw InputError({.file = arguments.database, .line = 0, .key = "--study", .value = arguments.study},
-                     "is not in this database", names.empty() ? "it holds no study" : "valid: " + names);
-}
-
 int show_study(const TableArguments& arguments) {
     const RunOutTableFormat format = format_of(arguments.format, study_formats);
     const Store store(arguments.database, Store::Mode::read);
-    const StoredStudy study = study_named(store.studies(), arguments);
+    const StoredStudy study = chosen_study(store, arguments.database, arguments.study);
     fmt::print("{}", run_out_table(study.name, store.study_rows(study.study_id), arguments.layout, format));
     return exit_code::success;
 }
@@ -83,7 +74,7 @@ void add_table_command(CLI::App& app, Command& command) {
         ->type_name("");
     sub->add_option("--study", arguments->study,
                     "Which study; by default the only one, else every run is listed")
-        ->type_name("name");
+        ->type_name("NAME|ID");
     sub->add_flag("--list", arguments->list, "List every run, study or not");
     sub->add_option("--rows", arguments->layout.rows,
                     "What the rows of the table are: section, slope_angle_deg or a varied key")

@@ -24,6 +24,14 @@ constexpr std::array units = {
     UnitSuffix{"_m", "m"},         UnitSuffix{"_s", "s"},
 };
 
+// A few words, which a wide neighbour must not squeeze to a column of letters.
+constexpr std::size_t longest_label = 32;
+
+const char* class_of(const HtmlCell& cell) {
+    if (cell.is_number) return " class=\"number\"";
+    return !cell.html.empty() && cell.html.size() <= longest_label ? " class=\"label\"" : "";
+}
+
 std::string row_html(const HtmlRow& row) {
     std::string html = "<tr>";
     bool first = true;
@@ -31,8 +39,8 @@ std::string row_html(const HtmlRow& row) {
         const char* tag = first && !cell.is_number ? "th scope=\"row\"" : "td";
         const std::string value =
             cell.value.empty() ? "" : fmt::format(" data-value=\"{}\"", html_text(cell.value));
-        html += fmt::format("<{}{}{}>{}</{}>", tag, cell.is_number ? " class=\"number\"" : "", value,
-                            cell.html, std::string(tag).substr(0, 2));
+        html += fmt::format("<{}{}{}>{}</{}>", tag, class_of(cell), value, cell.html,
+                            std::string(tag).substr(0, 2));
         first = false;
     }
     return html + "</tr>\n";

@@ -8,10 +8,12 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "core/input_error.h"
 #include "scene/parameters.h"
+#include "study/scenarios.h"
 
 namespace runout {
 namespace {
@@ -119,6 +121,18 @@ std::vector<PlannedRun> varied(const std::vector<PlannedRun>& runs, const InputR
     return more;
 }
 
+/// A back-analysis is a study of its own name, so that its runs can be shown together.
+void store_study(const BackAnalysis& analysis, const std::vector<PlannedRun>& planned,
+                 const std::vector<long>& run_ids, Store& store) {
+    std::ifstream file(analysis.folder + "/ranges.csv");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::vector<StudyScenario> scenarios;
+    for (std::size_t i = 0; i < run_ids.size(); ++i)
+        scenarios.push_back(
+            {static_cast<long>(i), store.run(run_ids[i]).scenario_hash, settings_json(planned[i].set), ""});
+    store.set_study_scenarios(store.begin_study(analysis.name, text), scenarios);
+}
+
 }  // namespace
 
 BackAnalysis read_back_analysis(const std::string& folder) {
@@ -153,7 +167,10 @@ std::vector<PlannedRun> combinations(const BackAnalysis& analysis) {
 std::vector<long> run_back_analysis(const BackAnalysis& analysis, Store& store, const SuiteOptions& options) {
     SuiteOptions here = options;
     here.cases_folder = analysis.folder;
-    return run_planned(analysis.name, combinations(analysis), store, here);
+    const std::vector<PlannedRun> planned = combinations(analysis);
+    const std::vector<long> run_ids = run_planned(analysis.name, planned, store, here);
+    if (!run_ids.empty()) store_study(analysis, planned, run_ids, store);
+    return run_ids;
 }
 
 ModelRange model_range(const std::vector<StoredRun>& runs, double Measures::*value) {
