@@ -188,6 +188,8 @@ TEST(HeldOutCheck, CountsEveryRunOnceAndFindsTheNoise) {
     EXPECT_NEAR(check.left_out_error_rms, check.error_rms, 0.03);
     EXPECT_LT(check.within_68, check.within_95);
     EXPECT_TRUE(contains(held_out_text(check), "Every fifth run held out"));
+    EXPECT_TRUE(contains(refusal([] { (void)check_held_out(chart_of(24, 1, 0.1), "x.db"); }),
+                         "x.db: holds 24 settled runs that may be used; holding out runs needs 25"));
 }
 
 TEST(RunOutChart, RefusesOutsideTheRunsAndNamesTheVariable) {

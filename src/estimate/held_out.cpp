@@ -1,5 +1,7 @@
 #include "estimate/held_out.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "estimate/run_out_chart.h"
@@ -36,6 +38,11 @@ void hold_out(const ChartPoints& points, std::size_t turn, const std::string& or
 }  // namespace
 
 HeldOutCheck check_held_out(const ChartPoints& points, const std::string& origin) {
+    constexpr std::size_t fewest = RunOutChart::fewest_runs * turns / (turns - 1);
+    if (points.points.size() < fewest)
+        throw InputError({.file = origin, .line = 0, .key = {}, .value = {}},
+                         fmt::format("holds {} settled runs that may be used", points.points.size()),
+                         fmt::format("holding out runs needs {}; make them with `runout sweep`", fewest));
     HeldOutCheck check;
     for (std::size_t turn = 0; turn < turns; ++turn) hold_out(points, turn, origin, check);
     for (double* rms : {&check.error_rms, &check.left_out_error_rms})

@@ -16,8 +16,8 @@ struct HeldOutCheck {
     double left_out_error_rms = 0;  ///< that the charts say of themselves
 };
 
-/// Holds out every fifth run, in five turns, and estimates it from the others. Throws InputError as
-/// RunOutChart.
+/// Holds out every fifth run, in five turns, and estimates it from the others. Throws InputError:
+/// too few runs.
 HeldOutCheck check_held_out(const ChartPoints& points, const std::string& origin);
 
 }  // namespace runout
