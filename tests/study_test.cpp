@@ -235,5 +235,21 @@ TEST_F(StudyTest, ScenariosAreCasesWithTheirSettings) {
     EXPECT_THROW(ScenarioList{unknown}, InputError);
 }
 
+TEST(ShippedStudies, AllMakeScenes) {
+    for (const char* name : {"wedges", "boxes"}) {
+        const ScenarioList list(
+            read_study(std::string(RUNOUT_SOURCE_DIR) + "/cases/run-out-chart/" + name + ".toml"));
+        EXPECT_GT(list.size(), 100U) << name;
+        int scenes = 0;
+        for (std::size_t i = 0; i < list.size(); i += 10) {
+            try {
+                scenes += make_scene(list.case_of(i)).source.area > 0 ? 1 : 0;
+            } catch (const InputError&) {  // does not fit its slope: refused, as the study says of a few
+            }
+        }
+        EXPECT_GT(scenes, 8) << name;
+    }
+}
+
 }  // namespace
 }  // namespace runout

@@ -9,7 +9,11 @@ namespace runout {
 /// not depend on the number of threads.
 template <class Function>
 void for_each_block(int count, int threads, const Function& f) {
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+    if (threads <= 1) {  // a team of one is made and thrown away again, which costs more than short loops
+        for (int i = 0; i < count; ++i) f(i);
+        return;
+    }
+#pragma omp parallel for schedule(static) num_threads(threads)
     for (int i = 0; i < count; ++i) f(i);
 }
 
