@@ -22,8 +22,8 @@ struct Estimate {
 };
 
 /// The surface L/sqrt(S) = f(...) through stored runs: a polynomial of the variables that vary in them. A
-/// chart of 3,000 runs takes a few hundredths of a second, so it is made anew for each question and nothing
-/// of it is stored.
+/// chart of some hundred runs takes some milliseconds (docs/estimate.md), so it is made anew for each
+/// question and nothing of it is stored.
 class RunOutChart {
   public:
     /// Runs that a chart needs at least: with fewer nothing can be said of 95 %.
