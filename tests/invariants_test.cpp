@@ -195,6 +195,14 @@ TEST(Rest, IsNotThereWhileTheMassSlides) {
     EXPECT_NEAR(rest.motion_ended(), time, 0.2);
 }
 
+/// Grains that are here or `way` further on at every look, until `end`.
+void rock(RestWatch& rest, Soil& soil, double way, double& time, double end) {
+    for (int k = 0; time < end; ++k) {
+        for (double& x : soil.x) x = k % 2 == 0 ? way : 0.0;
+        rest.observe(soil, time += 0.17);
+    }
+}
+
 TEST(Rest, ComesToGrainsThatAllTremble) {
     const std::vector<double> places(10, 0.0);
     Soil soil = soil_at(places, places);
@@ -202,10 +210,7 @@ TEST(Rest, ComesToGrainsThatAllTremble) {
     rest.start(soil, 0.0);
     double time = 0.0;
     // From one look to the next they have more energy than a mass at rest, but they get nowhere.
-    for (int k = 0; k < 20; ++k) {
-        for (double& x : soil.x) x = k % 2 == 0 ? 0.004 : 0.0;
-        rest.observe(soil, time += 0.17);
-    }
+    rock(rest, soil, 0.004, time, 3.4);
     EXPECT_TRUE(rest.at_rest());
     EXPECT_EQ(rest.motion_ended(), 0.0);
 }
@@ -217,15 +222,9 @@ TEST(Rest, TakesLongerWhereGrainsRock) {
     rest.start(soil, 0.0);
     const double unit = std::sqrt(1.0 / g);
     double time = 0.0;
-    for (int k = 0; time < 15.0 * unit; ++k) {
-        for (double& x : soil.x) x = k % 2 == 0 ? 0.009 : 0.0;
-        rest.observe(soil, time += 0.17);
-    }
+    rock(rest, soil, 0.009, time, 15.0 * unit);
     EXPECT_FALSE(rest.at_rest());
-    for (int k = 0; time < 21.0 * unit; ++k) {
-        for (double& x : soil.x) x = k % 2 == 0 ? 0.009 : 0.0;
-        rest.observe(soil, time += 0.17);
-    }
+    rock(rest, soil, 0.009, time, 21.0 * unit);
     EXPECT_TRUE(rest.at_rest());
 }
 

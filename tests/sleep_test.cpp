@@ -140,12 +140,7 @@ TEST(Sleep, ALayerSleepsUntilTheDebrisReachesItAndTheRunOutIsTheSame) {
 
 TEST(Sleep, ADepositWakesUnderTheNextMass) {
     Scene scene = scenes::aluminium_column(21.9, 0.008);
-    LaterMass mass;
-    mass.time = 1.5;
-    mass.outline = {{0.0, 0.12}, {0.1, 0.12}, {0.1, 0.22}, {0.0, 0.22}};
-    mass.bed = scene.source.bed;
-    mass.area = 0.01;
-    scene.effects.release = StagedRelease{.masses = {mass}};
+    scene.effects.release = StagedRelease{.masses = {scenes::mass_above_column(scene, 1.5, 0.1)}};
     // The front of one run depends on the lattice that it starts from by two spacings.
     double with = 0.0, without = 0.0;
     for (int seed = 1; seed <= 4; ++seed) {

@@ -45,6 +45,10 @@ HeldOutCheck check_held_out(const ChartPoints& points, const std::string& origin
                          fmt::format("holding out runs needs {}; make them with `runout sweep`", fewest));
     HeldOutCheck check;
     for (std::size_t turn = 0; turn < turns; ++turn) hold_out(points, turn, origin, check);
+    if (check.estimated == 0)
+        throw InputError({.file = origin, .line = 0, .key = {}, .value = {}},
+                         "has no run that lies among the others, so none can be held out",
+                         "make more with `runout sweep`");
     for (double* rms : {&check.error_rms, &check.left_out_error_rms})
         *rms = std::sqrt(*rms / static_cast<double>(check.estimated));
     return check;
