@@ -197,6 +197,10 @@ TEST(Profile, RefusesWhatIsNoSection) {
                      profile_of({{0, 3}, {0, 1}, {0, 2}, {1, 1}});
                  }),
                  "goes up and down at the chainage 0");
+    EXPECT_PRED2(contains, error_of([] {
+                     profile_of({{0, -3}, {0, 31}, {6.6e-311, -23}, {2350, -2}});
+                 }),
+                 "goes up and down at the chainage 0");
     EXPECT_PRED2(contains, error_of([] { profile_of({{0, 3}, {1, 5}, {2, 3}}); }), "descends neither way");
     EXPECT_PRED2(contains, error_of([] {
                      profile_of({{0, 3}, {1, std::nan("")}, {2, 0}});

@@ -552,8 +552,11 @@ TEST_F(SceneTest, EffectsAreThereOnlyWhereTheCaseNamesThem) {
     EXPECT_EQ(scene.gauges[0].name, "gauge-1");
     EXPECT_EQ(scene.gauges[1].name, "house");
     EXPECT_NEAR(scene.gauges[1].x, 0.3, 1e-12);
-    EXPECT_EQ(scene.run.friction_iterations, 20);
-    EXPECT_EQ(scene.assumed.back(), "run.friction_iterations = 20, for a cohesive soil");
+    EXPECT_EQ(scene.run.friction_iterations, 60);
+    EXPECT_EQ(scene.run.pressure_tolerance, 1e-3);
+    ASSERT_GE(scene.assumed.size(), 2U);
+    EXPECT_EQ(scene.assumed.end()[-2], "run.friction_iterations = 60, for a cohesive soil");
+    EXPECT_EQ(scene.assumed.end()[-1], "run.pressure_tolerance = 0.001, for a cohesive soil");
 }
 
 TEST_F(SceneTest, LaterMassesLeaveTheHillOneAfterTheOther) {

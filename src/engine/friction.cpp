@@ -24,6 +24,8 @@ void Friction::load(const Neighbours& n, const Soil& soil, const Wall& wall) {
         set_all(*field, n.nodes, FloatPair{});
     }
     set_all(strength_, n.nodes, 0.0F);
+    if (yield_.cohesive())
+        for (int c = 0; c < 4; ++c) set_all(no_correction_[c], n.nodes, c == 0 || c == 3 ? 1.0F : 0.0F);
     for (int i = 0; i < soil.count; ++i) {
         pressure_[i] = soil.pressure[i];
         stress_[i] = {static_cast<float>(soil.sxx[i]), static_cast<float>(soil.sxy[i])};
@@ -111,13 +113,18 @@ void Friction::trial_velocity(const Neighbours& n, double dt) {
     });
 }
 
+/// Of the velocity gradients that stress grows with.
+const std::array<std::vector<float>, 4>& Friction::correction(const Neighbours& n) const {
+    return yield_.cohesive() ? no_correction_ : n.correction;
+}
+
 /// s <- bound(ahead + 2 r e(v~)), then ahead <- s + momentum (s - old s). r = 0.25 rho dl^2 / dt keeps the
 /// iteration stable for the lattice's stiffest mode.
 void Friction::project(const Neighbours& n, double dt, double momentum) {
     const double step = 0.5 * discretisation_.density * discretisation_.volume() / dt;
     StressUpdate update;
     update.velocity = velocity_.data();
-    for (int c = 0; c < 4; ++c) update.correction[c] = n.correction[c].data();
+    for (int c = 0; c < 4; ++c) update.correction[c] = correction(n)[c].data();
     update.strength = strength_.data();
     update.step = static_cast<float>(step);
     update.momentum = static_cast<float>(momentum);
@@ -127,7 +134,8 @@ void Friction::project(const Neighbours& n, double dt, double momentum) {
                    [&](const PairRows& rows, int) { pair_kernels().update_stress(rows, update); });
     for (int a = 0; a < n.active_count(); ++a) {
         const int i = n.first_boundary + a;
-        const VelocityGradient g = boundary_velocity_gradient(n, a, velocity_.data()).corrected(n, i);
+        const VelocityGradient g =
+            boundary_velocity_gradient(n, a, velocity_.data()).corrected(correction(n), i);
         const double trial_xx = ahead_[i].x + step * g.exx();
         const double trial_xy = ahead_[i].y + step * g.exy();
         const double size = std::sqrt(trial_xx * trial_xx + trial_xy * trial_xy);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "engine/bed_line.h"
@@ -26,6 +27,11 @@ struct FrictionStep {
 /// (Uzawa) iteration on s in the spirit of Ionescu et al. 2015 and Bermudez & Moreno: at rest s balances the
 /// weight and nothing moves; at yield s tends to eq. 8. `explicit_`: eq. 8 from the current strain rate, the
 /// paper as printed.
+///
+/// The stress of cohesive soil grows with the plain velocity gradient, the adjoint of the divergence of
+/// stress, in place of the renormalised one of eq. 9. With that one the small motions of soil at rest feed
+/// stresses that carry nothing (self-stress), until it yields for no reason; soil without cohesion has no
+/// place to keep them, its strength being nothing at the surface.
 class Friction {
   public:
     Friction(const Discretisation& discretisation, YieldStrength yield, const RunSettings& run, int threads);
@@ -46,6 +52,7 @@ class Friction {
     void apply_pressure(const Neighbours& n, const Soil& soil, const FrictionStep& step);
     void rotate(const Neighbours& n, double dt);
     void trial_velocity(const Neighbours& n, double dt);
+    [[nodiscard]] const std::array<std::vector<float>, 4>& correction(const Neighbours& n) const;
     void project(const Neighbours& n, double dt, double momentum);
     void yield_from_strain_rate(const Neighbours& n);
     void final_velocity(const Neighbours& n, const Soil& soil, const FrictionStep& step,
@@ -65,6 +72,7 @@ class Friction {
     std::vector<FloatPair> ahead_;                            ///< extrapolated
     std::vector<FloatPair> base_velocity_;                    ///< under gravity and pressure, m/s
     std::vector<FloatPair> velocity_;                         ///< trial velocity v~
+    std::array<std::vector<float>, 4> no_correction_;         ///< only for cohesive soil
     std::vector<FloatPair> force_;                            ///< div s, Pa/m
 };
 

@@ -15,10 +15,14 @@ struct VelocityGradient {
 
     /// With the renormalised kernel gradient of eq. 9 at `node`.
     [[nodiscard]] VelocityGradient corrected(const Neighbours& n, int node) const {
-        const double b0 = n.correction[0][node];
-        const double b1 = n.correction[1][node];
-        const double b2 = n.correction[2][node];
-        const double b3 = n.correction[3][node];
+        return corrected(n.correction, node);
+    }
+    [[nodiscard]] VelocityGradient corrected(const std::array<std::vector<float>, 4>& correction,
+                                             int node) const {
+        const double b0 = correction[0][node];
+        const double b1 = correction[1][node];
+        const double b2 = correction[2][node];
+        const double b3 = correction[3][node];
         return {xx * b0 + xy * b2, xx * b1 + xy * b3, yx * b0 + yy * b2, yx * b1 + yy * b3};
     }
     /// Components of the deviatoric strain rate, compression positive (eyy = -exx).
@@ -57,6 +61,17 @@ template <class Function>
 void for_each_awake(const Neighbours& n, int threads, const Function& f) {
     for_each_block(static_cast<int>(n.blocks.size()), threads,
                    [&](int b) { for_each_awake_run(n.blocks[b], n, f); });
+}
+
+/// Calls f(i, j, k) for each pair of soil row i of the block and neighbour node j; k: its entry in the block.
+template <class Function>
+void for_each_pair(const PairBlock& block, const Neighbours& n, const Function& f) {
+    for (int slice = 0; slice < slices_per_block; ++slice) {
+        for (int k = block.offset[slice]; k < block.offset[slice + 1]; ++k) {
+            const int i = block.first_row + slice * lanes + (k - block.offset[slice]) % lanes;
+            if (i < n.soil_count && block.stiffness[k] > 0.0F) f(i, block.column[k], k);
+        }
+    }
 }
 
 /// On return `velocity` has every node's velocity as the kernels take it: none but the soil moves.

@@ -107,21 +107,6 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
     }
 }
 
-/// No traction on a free surface is p + n.s.n = 0. What a step adds to the kept pressure has ghosts that add
-/// their share too, so that p comes to rest at theirs.
-void PressureSolver::free_surface_of_traction(const Neighbours& n, const Soil& soil, double memory) {
-    for (int i = 0; i < n.soil_count; ++i) {
-        if (n.density[i] >= surface_density || n.density[i] < body_density || !free_[i]) continue;
-        const double nx = n.surface_x[i];
-        const double ny = n.surface_y[i];
-        const double size2 = nx * nx + ny * ny;
-        if (size2 <= 0.0) continue;
-        const double across = (soil.sxx[i] * (nx * nx - ny * ny) + 2.0 * soil.sxy[i] * nx * ny) / size2;
-        const double missing = std::max(0.0, discretisation_.lattice_stiffness - n.stiffness_sum[i]);
-        right_hand_side_[i] += missing * (1.0 - memory) * std::max(-across, -tension_);
-    }
-}
-
 void PressureSolver::refresh_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall) {
     set_all(aggregate_, n.nodes, -1);
     const bool worn = steps_since_build_ >= steps_per_coarse_build ||
@@ -250,8 +235,12 @@ PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
                                     const std::vector<double>& vx, const std::vector<double>& vy,
                                     const PressureStep& step) {
     set_up(n, soil, wall);
-    set_right_hand_side(n, wall, vx, vy, step);
-    if (cohesive_) free_surface_of_traction(n, soil, step.memory);
+    PressureStep start = step;
+    if (filter_) {
+        filter_->apply(n, soil, pressure_);
+        start.memory = 1.0;
+    }
+    set_right_hand_side(n, wall, vx, vy, start);
     refresh_coarse_level(n, soil, wall);
     PressureSolve result = iterate(n, wall);
     last_iterations_ = result.iterations;

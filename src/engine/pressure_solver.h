@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/coarse_level.h"
 #include "engine/neighbours.h"
+#include "engine/pressure_filter.h"
 #include "engine/soil.h"
 #include "engine/wall.h"
 
@@ -49,11 +51,12 @@ class PressureSolver {
                    int threads);
 
     /// For cohesive soil, which bears a mean tension, Pa, and whose surface is free of traction without being
-    /// free of pressure: the ghosts of a free surface get p = -n.s.n. Without cohesion p = 0 there says the
-    /// same, since |s| <= p sin(phi).
+    /// free of pressure. The projection starts from the whole old pressure, freed of noise: a share of it
+    /// would go to 0 at the surface, and what it sheds the deviatoric stress would have to carry. Without
+    /// cohesion p = 0 is no traction, since |s| <= p sin(phi).
     void bear_tension(double tension) {
         tension_ = tension;
-        cohesive_ = true;
+        filter_.emplace(discretisation_);
     }
 
     /// The wall is another one from now on.
@@ -74,7 +77,6 @@ class PressureSolver {
     void set_up(const Neighbours& n, const Soil& soil, const Wall& wall);
     void set_right_hand_side(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
                              const std::vector<double>& vy, const PressureStep& step);
-    void free_surface_of_traction(const Neighbours& n, const Soil& soil, double memory);
     void refresh_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall);
     double multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x,
                     std::vector<double>& out);
@@ -91,7 +93,7 @@ class PressureSolver {
     double relaxation_time_;  ///< s, least time in which excess density is worked off
     double tolerance_;
     double tension_ = 0;
-    bool cohesive_ = false;
+    std::optional<PressureFilter> filter_;  ///< of cohesive soil
     int threads_;
 
     CoarseLevel coarse_;

@@ -14,7 +14,6 @@ namespace {
 
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
-constexpr double working_face_way = 2.0;       // spacings, of cohesive soil
 constexpr double rocking_way = 1.0;            // spacings, see RestWatch
 constexpr double resting_grain_way = 0.3;      // spacings; lone grains tremble by a quarter of one
 constexpr double sleep_window = 0.25;          // in sqrt(sqrt(S)/g)
@@ -43,13 +42,6 @@ double highest(const Polygon& points) {
 /// A mass that slides on with the speed of its fall H needs sqrt(2 H/g) / strength to stop.
 double time_to_stop(double height, double gravity, double strength) {
     return std::max(60.0, 6.0 / std::max(strength, 0.01)) * std::sqrt(height / gravity);
-}
-
-/// How far from its place soil at rest may get, m. The free faces of cohesive soil work by some tenths of a
-/// spacing all the time, see docs/effects.md.
-double grain_way(const Effects& effects, double spacing) {
-    const bool cohesive = effects.cohesion && effects.cohesion->strength > 0.0;
-    return (cohesive ? working_face_way : resting_grain_way) * spacing;
 }
 
 double spacing_of(const Scene& scene) {
@@ -82,7 +74,7 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
                       : time_to_stop(height_, run_.gravity, least_strength(material_, effects_))),
       invariants_({run_.gravity, height_, discretisation_.spacing, discretisation_.density, run_.courant,
                    tension_cut_off(material_, effects_)}),
-      rest_(run_.gravity, length_scale_, grain_way(effects_, discretisation_.spacing),
+      rest_(run_.gravity, length_scale_, resting_grain_way * discretisation_.spacing,
             rocking_way * discretisation_.spacing),
       soil_(soil_at(packing.x, packing.y)),
       wall_(make_wall(bed_, discretisation_)),
@@ -156,7 +148,7 @@ void Simulation::step() {
     correct(dt);
     if (filter_ || effects_.side_walls) damp(dt);
     move(dt);
-    if (effects_.cohesion && effects_.cohesion->strength > 0.0) even_out();
+    if (friction_.yield().cohesive()) even_out(dt);
     StepFacts facts = guard_wall(dt);
     if (barrier_) measure_barrier(dt);
     if (effects_.erodible_bed) note_moved_layer();

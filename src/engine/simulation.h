@@ -124,7 +124,7 @@ class Simulation {
     void damp(double dt);
     void brake(double dt);
     [[nodiscard]] double rate_of_rise() const;
-    void even_out();
+    void even_out(double dt);
     void measure_barrier(double dt);
     void note_moved_layer();
     void release_mass();

@@ -19,7 +19,7 @@ constexpr double no_compression = 1e-3;  // density above rho_0, or gained in sq
 bool Simulation::in_free_flight() {
     const double weight = discretisation_.density * run_.gravity * length_scale_;
     if (!neighbours_.active.empty() || highest_pressure_ > no_pressure * weight) return false;
-    if (effects_.cohesion && effects_.cohesion->strength > 0.0) return false;
+    if (friction_.yield().cohesive()) return false;
     soil_velocities(neighbours_, soil_, flight_velocity_);
     std::vector<double>& divergence = predicted_vx_;  // in a place that is not in use yet
     set_all(divergence, neighbours_.nodes, 0.0);

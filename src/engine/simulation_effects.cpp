@@ -17,14 +17,14 @@ namespace {
 
 constexpr double shifting = 0.1;        // of the way to even spacing in a step
 constexpr double most_shifting = 0.02;  // spacings a step
+constexpr double shifting_way = 0.8;    // of the way that the particle has moved in the step
 constexpr double moved_spacings = 2.0;  // that soil of the bed must move to count as debris
 
 }  // namespace
 
 void Simulation::set_up_effects() {
-    if (effects_.cohesion && effects_.cohesion->strength > 0.0)
-        pressure_.bear_tension(tension_cut_off(material_, effects_));
-    const bool cohesive = effects_.cohesion && effects_.cohesion->strength > 0.0;
+    const bool cohesive = friction_.yield().cohesive();
+    if (cohesive) pressure_.bear_tension(tension_cut_off(material_, effects_));
     if (cohesive || (effects_.rate && effects_.rate->increase != 0.0)) filter_.emplace(discretisation_);
     if (effects_.erodible_bed) {
         Source layer;
@@ -87,15 +87,17 @@ void Simulation::brake(double dt) {
 
 /// Particles under tension draw together in clumps (the tensile instability of SPH), and the soil tears where
 /// it should hold. They are moved a little from where it is crowded to where it is not, in the inside of the
-/// body only (particle shifting, Lind et al. 2012).
-void Simulation::even_out() {
+/// body only (particle shifting, Lind et al. 2012), and only on their way, so that soil at rest stays where
+/// it is.
+void Simulation::even_out(double dt) {
     const double scale = shifting * discretisation_.volume();
     const double most = most_shifting * discretisation_.spacing;
     for (int i = 0; i < soil_.count; ++i) {
         if (neighbours_.density[i] < surface_density || neighbours_.rests(i)) continue;
         Vec2 step{-scale * neighbours_.surface_x[i], -scale * neighbours_.surface_y[i]};
         const double size = step.norm();
-        if (size > most) step *= most / size;
+        const double longest = std::min(most, shifting_way * dt * std::hypot(soil_.vx[i], soil_.vy[i]));
+        if (size > longest) step *= longest / size;
         soil_.x[i] += step.x();
         soil_.y[i] += step.y();
         numerical_work_ -= discretisation_.mass() * run_.gravity * step.y();

@@ -7,7 +7,7 @@
 namespace runout {
 namespace {
 
-constexpr double share = 0.25;  // of the difference to the neighbours in a step
+constexpr double share = 0.5;  // of the difference to the neighbours in a step
 
 }  // namespace
 
@@ -29,20 +29,16 @@ void VelocityFilter::find_gradients(const Neighbours& n, const Wall& wall, const
 }
 
 void VelocityFilter::find_change(const PairBlock& block, const Neighbours& n, const Soil& soil) {
-    for (int slice = 0; slice < slices_per_block; ++slice) {
-        for (int k = block.offset[slice]; k < block.offset[slice + 1]; ++k) {
-            const int i = block.first_row + slice * lanes + (k - block.offset[slice]) % lanes;
-            const int j = block.column[k];
-            if (i >= n.soil_count || j >= n.soil_count || block.stiffness[k] <= 0.0F) continue;
-            const VelocityGradient& a = gradient_[i];
-            const VelocityGradient& b = gradient_[j];
-            const double dx = soil.x[j] - soil.x[i];
-            const double dy = soil.y[j] - soil.y[i];
-            change_[i] += static_cast<double>(block.stiffness[k]) *
-                          Vec2{soil.vx[j] - soil.vx[i] - 0.5 * ((a.xx + b.xx) * dx + (a.xy + b.xy) * dy),
-                               soil.vy[j] - soil.vy[i] - 0.5 * ((a.yx + b.yx) * dx + (a.yy + b.yy) * dy)};
-        }
-    }
+    for_each_pair(block, n, [&](int i, int j, int k) {
+        if (j >= n.soil_count) return;
+        const VelocityGradient& a = gradient_[i];
+        const VelocityGradient& b = gradient_[j];
+        const double dx = soil.x[j] - soil.x[i];
+        const double dy = soil.y[j] - soil.y[i];
+        change_[i] += static_cast<double>(block.stiffness[k]) *
+                      Vec2{soil.vx[j] - soil.vx[i] - 0.5 * ((a.xx + b.xx) * dx + (a.xy + b.xy) * dy),
+                           soil.vy[j] - soil.vy[i] - 0.5 * ((a.yx + b.yx) * dx + (a.yy + b.yy) * dy)};
+    });
 }
 
 double VelocityFilter::apply(const Neighbours& n, const Wall& wall, const BedLine& bed, Soil& soil) {

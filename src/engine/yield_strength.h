@@ -34,6 +34,7 @@ class YieldStrength {
               const std::vector<double>& pore_pressure, const std::vector<double>& strain_rate,
               std::vector<float>& strength) const;
 
+    [[nodiscard]] bool cohesive() const { return cohesion_ > 0.0; }
     [[nodiscard]] bool depends_on_rate() const { return rate_.has_value(); }
 
   private:

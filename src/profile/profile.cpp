@@ -75,12 +75,20 @@ Section without_inner_points_of_walls(const Section& s) {
     return kept;
 }
 
+/// Chainages as good as equal are one, that of the first: a vertical face, and not a sliver whose two sides
+/// become one when the origin is moved to the toe.
+void make_walls_vertical(Section& s) {
+    for (std::size_t i = 1; i < s.points.size(); ++i)
+        if (s.points[i].x() < s.points[i - 1].x() + nearest_m) s.points[i].x() = s.points[i - 1].x();
+}
+
 Section checked(const std::vector<Vec2>& points, const std::vector<int>& lines, const std::string& file) {
-    const Section section{points, lines, file};
+    Section section{points, lines, file};
     if (points.size() < 2)
         throw InputError({file, 0, "", ""}, points.empty() ? "has no points" : "has one point only",
                          "a section needs at least two points");
     for (std::size_t i = 0; i < points.size(); ++i) check_point(section, i);
+    make_walls_vertical(section);
     return without_inner_points_of_walls(section);
 }
 

@@ -20,7 +20,8 @@ namespace {
 constexpr double fewest_particles = 4;
 constexpr double most_particles = 5e6;
 
-constexpr int cohesive_friction_iterations = 20;
+constexpr int cohesive_friction_iterations = 60;
+constexpr double cohesive_pressure_tolerance = 1e-3;
 
 Profile read_ground(const SectionSpec& section) {
     if (!section.file.empty()) return read_profile_csv(section.file, section.options);
@@ -98,16 +99,21 @@ void check_friction_angle(const CaseSpec& spec) {
                         spec.place(base ? "effects.base_friction.angle_deg" : "material.friction_angle_deg"));
 }
 
-/// Cohesive soil is elastic where it does not yield; with the usual number of iterations it is so soft that a
+/// Cohesive soil is elastic where it does not yield; with the usual numbers it is so soft and so noisy that a
 /// standing cut sags.
 RunSettings run_settings(const CaseSpec& spec, std::vector<std::string>& assumed) {
     RunSettings run = spec.run;
-    const bool cohesive = spec.effects.cohesion && spec.effects.cohesion->strength > 0;
-    if (!cohesive || spec.has("run.friction_iterations") || run.friction == FrictionScheme::explicit_)
-        return run;
-    run.friction_iterations = cohesive_friction_iterations;
-    assumed.push_back(
-        fmt::format("run.friction_iterations = {}, for a cohesive soil", run.friction_iterations));
+    if (!spec.effects.cohesion || spec.effects.cohesion->strength <= 0) return run;
+    if (!spec.has("run.friction_iterations") && run.friction == FrictionScheme::projected) {
+        run.friction_iterations = cohesive_friction_iterations;
+        assumed.push_back(
+            fmt::format("run.friction_iterations = {}, for a cohesive soil", run.friction_iterations));
+    }
+    if (!spec.has("run.pressure_tolerance")) {
+        run.pressure_tolerance = cohesive_pressure_tolerance;
+        assumed.push_back(
+            fmt::format("run.pressure_tolerance = {}, for a cohesive soil", run.pressure_tolerance));
+    }
     return run;
 }
 
