@@ -16,6 +16,9 @@ constexpr const char* points_key = "source.points";
 // Below this a coordinate is 0: exact arithmetic on numbers near the smallest double leaves its intervals, m.
 constexpr double dust = 1e-12;
 
+// What points on one line enclose after rounding, over the square of their extent.
+constexpr double trace_area = 1e-9;
+
 /// The user's coordinates are decimals: what is nearer to the ground than this is on it.
 double contact_tolerance(double area) {
     return 1e-3 * std::sqrt(area);
@@ -114,8 +117,7 @@ Source derive_polygon(const Profile& profile, const SourceSpec& spec) {
     std::vector<Vec2> corners = local_points(profile, spec);
     if (corners.front() == corners.back()) corners.pop_back();  // a closed ring, as map data have it
     const auto region = simple_polygon(corners);
-    // Points on one line enclose a trace of area after rounding.
-    if (!region || region->area() <= 1e-9 * std::pow(extent(corners), 2))
+    if (!region || region->area() <= trace_area * std::pow(extent(corners), 2))
         refuse(spec, points_key, "is not a simple polygon",
                "list three corners or more in order around the source, without crossing or touching lines");
 
@@ -157,6 +159,9 @@ Source derive_slip_surface(const Profile& profile, const SourceSpec& spec) {
     if (real != 1)
         refuse(spec, points_key, fmt::format("cuts off {} pieces of ground", real),
                "the slip line must cut off exactly one");
+    if (pieces->front().area() <= trace_area * std::pow(extent(line), 2))
+        refuse(spec, points_key, "cuts off a film of ground without thickness",
+               "draw the slip line below the surface");
     const Polygon outline = pieces->front().outline();
     const Vec2 head = *std::ranges::min_element(
         outline, [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() > b.y(); });
