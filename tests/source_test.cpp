@@ -598,6 +598,7 @@ TEST(SlipSurface, RefusesLinesThatCutOffNoneOrSeveral) {
                  "ends inside the ground at [-20, 18]; go on to the surface, which is at [-20, 20]");
     EXPECT_PRED2(contains, error({{-20, 20}, {-10, 5}, {-12, 4}, {0, 0}}), "turns back at [-10, 5]");
     EXPECT_PRED2(contains, error({{-20, 20}, {-20, 5}, {-20, 12}, {0, 0}}), "doubles back");
+    EXPECT_PRED2(contains, error({{-20, 20}, {-16, 20 - 1e-9}, {-12, 20}}), "a film of ground");
 }
 
 // ---- all types

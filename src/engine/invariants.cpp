@@ -32,8 +32,6 @@ constexpr std::array<Rule, static_cast<int>(Invariant::count)> rules = {{
 constexpr double tolerated_misses = 20;  // pressure solves in a row that missed their tolerance
 constexpr double guard_grace = 10.0;     // particle-steps driven in before their share is judged
 
-constexpr double volume_window = 0.1;  // sqrt(H/g), over which the loss of volume is averaged
-
 // Of the Courant step at the speed of free fall: far below what any sound run takes, and still an end in
 // sight.
 constexpr double step_floor = 1e-3;
@@ -85,13 +83,6 @@ void InvariantWatch::note_energy(double mechanical, double fastest_x, const Step
     note(Invariant::energy_balance, std::abs(unaccounted) / unit, fastest_x);
 }
 
-/// What an impact compresses for an instant is not lost: the mean over the last while counts.
-void InvariantWatch::note_volume(double lost, double dt, double densest_x) {
-    const double window = volume_window * std::sqrt(scales_.height / scales_.gravity);
-    lost_volume_ += (lost - lost_volume_) * std::min(1.0, dt / window);
-    note(Invariant::volume, lost_volume_, densest_x);
-}
-
 void InvariantWatch::observe(const Soil& soil, const std::vector<double>& density, const StepFacts& step) {
     time_ = step.time;
     ++steps_;
@@ -126,7 +117,11 @@ void InvariantWatch::observe(const Soil& soil, const std::vector<double>& densit
     note(Invariant::penetration, step.greatest_depth / scales_.spacing, step.depth_x);
     note_energy(energy / static_cast<double>(count), x, step);
     note(Invariant::density, density[densest] - 1.0, soil.x[densest]);
-    note_volume(excess / static_cast<double>(count), step.dt, soil.x[densest]);
+    // A source about as thin as a spacing starts crowded.
+    if (soil.count != crowd_count_) start_crowding_ = excess / static_cast<double>(count);
+    crowd_count_ = soil.count;
+    note(Invariant::volume, std::max(0.0, excess / static_cast<double>(count) - start_crowding_),
+         soil.x[densest]);
     note(Invariant::pressure,
          -(lowest_pressure + scales_.tension) / (scales_.density * scales_.gravity * scales_.height),
          soil.x[lowest]);

@@ -80,7 +80,6 @@ class InvariantWatch {
 
   private:
     void note(Invariant invariant, double value, double x);
-    void note_volume(double lost, double dt, double densest_x);
     void note_energy(double mechanical, double fastest_x, const StepFacts& step);
 
     InvariantScales scales_;
@@ -91,8 +90,9 @@ class InvariantWatch {
     double least_energy_ = 0;
     double start_work_ = 0;
     bool started_ = false;
-    double lost_volume_ = 0;  ///< share of the area, mean over the last while
-    double driven_in_ = 0;    ///< sum over steps of the share of particles
+    double start_crowding_ = 0;  ///< mean excess of density when the soil was let go
+    int crowd_count_ = 0;        ///< particles then
+    double driven_in_ = 0;       ///< sum over steps of the share of particles
     long steps_ = 0;
 };
 

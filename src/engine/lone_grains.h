@@ -5,9 +5,9 @@
 
 namespace runout {
 
-/// A grain is lone where the soil around it weighs less in its kernel than one grain at this distance,
-/// spacings.
-constexpr double touching_spacings = 2.0;
+/// A grain is lone where the soil around it weighs less in its kernel than one grain at this distance, in
+/// smoothing lengths: two spacings.
+constexpr double touching_lengths = 2.0 / 1.3;
 
 /// A grain that no other touches, as the bed sees it: a point mass that lies half a spacing off the bed line.
 /// A kernel needs neighbours; a grain without any trembles on its cushion of wall particles, and creeps where

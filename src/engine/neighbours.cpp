@@ -94,8 +94,8 @@ void permute(std::vector<T>& values, const std::vector<int>& order, std::vector<
 NeighbourSearch::NeighbourSearch(const Discretisation& discretisation, int threads)
     : discretisation_(discretisation),
       threads_(threads),
-      least_touch_(
-          WendlandKernel(discretisation.smoothing_length).value(touching_spacings * discretisation.spacing)) {
+      least_touch_(WendlandKernel(discretisation.smoothing_length)
+                       .value(touching_lengths * discretisation.smoothing_length)) {
     grid_.size = WendlandKernel(discretisation.smoothing_length).support() / cells_per_support;
 }
 
