@@ -130,6 +130,16 @@ TEST(Invariants, AreaIsKept) {
     EXPECT_TRUE(begins_with(state.violation(), "volume")) << state.violation();
 }
 
+TEST(Invariants, ASourceThatStartsCrowdedHasNotLostArea) {
+    InvariantWatch watch{scales()};
+    const std::vector<double> crowded{1.2, 1.2, 1.2, 1.2};
+    const HandMade state;
+    watch.observe(state.soil, crowded, state.step);
+    EXPECT_FALSE(watch.violation());
+    watch.observe(state.soil, {1.3, 1.3, 1.3, 1.3}, state.step);
+    EXPECT_TRUE(watch.violation());
+}
+
 TEST(Invariants, PressureDoesNotPull) {
     HandMade state;
     state.soil.pressure[2] = -1e-3;
