@@ -7,8 +7,6 @@
 #include <numeric>
 #include <span>
 
-#include "core/units.h"
-#include "engine/lone_grains.h"
 #include "engine/neighbours.h"
 #include "engine/operators.h"
 #include "engine/packing.h"
@@ -390,38 +388,6 @@ TEST(PressureEquation, IterationsDoNotGrowWithTheNumberOfParticles) {
     };
     EXPECT_LE(iterations(20), 25);
     EXPECT_LE(iterations(100), 25);
-}
-
-/// A grain that lies on a plane of 30 deg, which descends towards +x.
-LoneGrain on_plane(double strength, const Vec2& velocity = {0, 0}) {
-    const double t = radians(30.0);
-    return {
-        .velocity = velocity, .clearance = 0.0, .normal = {std::sin(t), std::cos(t)}, .strength = strength};
-}
-const Vec2 down_plane{std::cos(radians(30.0)), -std::sin(radians(30.0))};
-const Vec2 gravity{0.0, -9.81};
-
-TEST(LoneGrains, StandOrSlideAsASlabDoes) {
-    constexpr double dt = 1e-3;
-    EXPECT_EQ(velocity_on_bed(on_plane(0.6), dt * gravity, dt).norm(), 0.0);  // tan 30 = 0.577
-    const Vec2 gained = velocity_on_bed(on_plane(0.4), dt * gravity, dt);
-    const double slab = 9.81 * (std::sin(radians(30.0)) - 0.4 * std::cos(radians(30.0)));
-    EXPECT_NEAR((gained - slab * dt * down_plane).norm(), 0.0, 1e-15);
-}
-
-TEST(LoneGrains, LandWithoutRebound) {
-    LoneGrain grain = on_plane(0.0, {0.0, -2.0});
-    grain.clearance = 0.001;
-    // Half of the fall brings it to the plane; what is along the plane stays.
-    const double dt = 0.002 / (2.0 * std::cos(radians(30.0)));
-    const Vec2 landed = velocity_on_bed(grain, {0, 0}, dt);
-    EXPECT_NEAR(landed.dot(grain.normal), -0.001 / dt, 1e-12);
-    EXPECT_NEAR(landed.dot(down_plane), 2.0 * std::sin(radians(30.0)), 1e-12);
-}
-
-TEST(LoneGrains, FlyFreelyAwayFromTheBed) {
-    const LoneGrain grain = on_plane(0.6, {1.0, 1.0});
-    EXPECT_EQ(velocity_on_bed(grain, 1e-3 * gravity, 1e-3), Vec2(Vec2{1.0, 1.0} + 1e-3 * gravity));
 }
 
 TEST(PackingTest, RectangleIsFilledExactly) {

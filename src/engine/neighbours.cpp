@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "engine/lone_grains.h"
 #include "engine/node_array.h"
 #include "engine/pair_row.h"
 #include "engine/parallel.h"
@@ -92,10 +91,7 @@ void permute(std::vector<T>& values, const std::vector<int>& order, std::vector<
 }  // namespace
 
 NeighbourSearch::NeighbourSearch(const Discretisation& discretisation, int threads)
-    : discretisation_(discretisation),
-      threads_(threads),
-      least_touch_(WendlandKernel(discretisation.smoothing_length)
-                       .value(touching_lengths * discretisation.smoothing_length)) {
+    : discretisation_(discretisation), threads_(threads) {
     grid_.size = WendlandKernel(discretisation.smoothing_length).support() / cells_per_support;
 }
 
@@ -120,14 +116,10 @@ void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
     n.surface_y.assign(soil.padded(), 0.0);
     n.nearest_boundary.assign(soil.padded(), -1);
     n.density.assign(soil.padded(), 1.0);
-    n.touched.assign(soil.padded(), 1);
     for (auto& component : n.correction) component.assign(soil.padded(), 0.0F);
     const int blocks = (soil.padded() + rows_per_block - 1) / rows_per_block;
     n.blocks.resize(blocks);
     for_each_block(blocks, threads_, [&](int b) { find_block(soil, wall, n, b); });
-    n.lone.clear();
-    for (int i = 0; i < soil.count; ++i)
-        if (n.touched[i] == 0) n.lone.push_back(i);
     number_boundary(soil, wall, n);
     fill_boundary_rows(wall, soil, n);
 }
@@ -180,7 +172,6 @@ void NeighbourSearch::write_sums(Neighbours& n, int i, const SliceSums& soil, in
     const RowSums& w = wall.sums;
     const double self = WendlandKernel(discretisation_.smoothing_length).value(0.0);
     n.density[i] = (self + soil.kernel[lane] + w.kernel) / discretisation_.lattice_sum;
-    n.touched[i] = static_cast<char>(static_cast<double>(soil.kernel[lane]) >= least_touch_);
     n.stiffness_sum[i] = soil.stiffness[lane] + w.stiffness;
     n.surface_x[i] = soil.surface_x[lane] + w.surface_x;
     n.surface_y[i] = soil.surface_y[lane] + w.surface_y;

@@ -69,8 +69,6 @@ struct Neighbours {
     std::vector<double> stiffness_sum;  ///< sum of k over all neighbours, per soil particle
     std::vector<double> surface_x,
         surface_y;                      ///< sum of V gradW, points into the soil at a free surface, 1/m
-    std::vector<char> touched;          ///< per soil particle: other soil is near, see LoneGrain
-    std::vector<int> lone;              ///< soil particles that are not touched, ascending
     std::vector<int> nearest_boundary;  ///< wall index, -1: no wall within the support; per soil particle
 
     /// Per slice of soil rows, given: 1 where all sleep and nothing is to be solved; empty: nothing sleeps.
@@ -105,7 +103,6 @@ class NeighbourSearch {
 
     Discretisation discretisation_;
     int threads_;
-    double least_touch_;  ///< sum of W over the soil around a particle that is touched, 1/m2
     CellGrid grid_;
     std::vector<int> order_;
     std::vector<std::vector<double>> scratch_;

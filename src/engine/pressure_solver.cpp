@@ -40,11 +40,6 @@ void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& w
             diagonal_[i] += std::max(0.0, discretisation_.lattice_stiffness - n.stiffness_sum[i]);
         }
     }
-    for (const int i : n.lone) {
-        pressure_[i] = 0.0;
-        free_[i] = 0;
-        diagonal_[i] = 1.0;
-    }
     for (int a = 0; a < n.active_count(); ++a) {
         const int node = n.first_boundary + a;
         const int b = n.active[a];
@@ -145,7 +140,7 @@ double PressureSolver::multiply(const Neighbours& n, const Wall& wall, const std
             for_each_awake_run(n.blocks[b], n, [&](const PairRows& rows, int last) {
                 pair_kernels().stiffness_product(rows, x.data(), out.data());
                 for (int i = rows.first_row; i < last; ++i) {
-                    out[i] = free_[i] ? diagonal_[i] * x[i] - out[i] : 0.0;
+                    out[i] = diagonal_[i] * x[i] - out[i];
                     sum += x[i] * out[i];
                 }
             });
@@ -199,13 +194,8 @@ double PressureSolver::precondition() {
 PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
     PressureSolve result;
     for (auto* field : {&residual_, &correction_, &direction_}) set_all(*field, n.nodes, 0.0);
-    const double norm = std::sqrt(
-        sum_nodes([&](int i) { return free_[i] ? right_hand_side_[i] * right_hand_side_[i] : 0.0; }));
-    if (norm == 0.0) {
-        sum_nodes([&](int i) { return pressure_[i] = free_[i] ? 0.0 : pressure_[i]; });
-        result.converged = true;
-        return result;
-    }
+    const double norm =
+        std::sqrt(sum_nodes([&](int i) { return right_hand_side_[i] * right_hand_side_[i]; }));
     const double target = tolerance_ * norm;
     double left = std::sqrt(sum_nodes([&](int i) {
         residual_[i] = free_[i] ? right_hand_side_[i] - product_[i] : 0.0;

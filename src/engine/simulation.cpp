@@ -171,14 +171,12 @@ void Simulation::step() {
 /// Friction and pressure. On return the predicted velocity and the pressure gradient are there for the
 /// corrector.
 PressureSolve Simulation::resist(double dt) {
-    unload_lone_grains();
     clock_.enter(Phase::friction);
     friction_.predict(neighbours_, soil_, wall_, friction_step(dt), predicted_vx_, predicted_vy_);
     clock_.enter(Phase::pressure);
     const PressureSolve solve =
         pressure_.solve(neighbours_, soil_, wall_, predicted_vx_, predicted_vy_, {.dt = dt});
     find_pressure_gradient();
-    predict_lone_grains(dt);
     return solve;
 }
 

@@ -139,8 +139,6 @@ class Simulation {
     void let_sleep(int resting);
     void watch_sleep();
     PressureSolve resist(double dt);
-    void unload_lone_grains();
-    void predict_lone_grains(double dt);
     void correct(double dt);
     void move(double dt);
     StepFacts guard_wall(double dt);

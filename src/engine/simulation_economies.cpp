@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/lone_grains.h"
 #include "engine/node_array.h"
 #include "engine/operators.h"
 #include "engine/simulation.h"
@@ -46,35 +45,6 @@ PressureSolve Simulation::fly(double dt) {
         std::fill(field->begin(), field->end(), 0.0);
     work_.flying_particle_steps += soil_.count;
     return {.converged = true};
-}
-
-/// A grain that touches no other has neither pressure nor friction of its own, see LoneGrain. That of
-/// cohesive soil sticks to the bed as soil does.
-void Simulation::unload_lone_grains() {
-    if (friction_.yield().cohesive()) neighbours_.lone.clear();
-    for (const int i : neighbours_.lone) soil_.pressure[i] = soil_.sxx[i] = soil_.sxy[i] = 0.0;
-}
-
-void Simulation::predict_lone_grains(double dt) {
-    const Vec2 gain = dt * body_acceleration();
-    for (const int i : neighbours_.lone) {
-        if (neighbours_.rests(i)) continue;
-        const Vec2 before{soil_.vx[i], soil_.vy[i]};
-        Vec2 after = before + gain;
-        if (const int boundary = neighbours_.nearest_boundary[i]; boundary >= 0) {
-            const BedLine::Nearest near = bed_.nearest({soil_.x[i], soil_.y[i]}, wall_.segment[boundary], 8);
-            after = velocity_on_bed({.velocity = before,
-                                     .clearance = near.distance - 0.5 * discretisation_.spacing,
-                                     .normal = near.normal,
-                                     .strength = base_strength_ratio(material_, effects_, soil_.x[i])},
-                                    gain, dt);
-            if (barrier_)
-                barrier_->add_guard_impulse(near.segment, discretisation_.mass() * (before + gain - after));
-        }
-        predicted_vx_[i] = after.x();
-        predicted_vy_[i] = after.y();
-        force_x_[i] = force_y_[i] = 0.0;
-    }
 }
 
 /// What sleeps has no velocity and no force; the trembling that it fell asleep with is booked.
