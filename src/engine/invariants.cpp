@@ -117,11 +117,10 @@ void InvariantWatch::observe(const Soil& soil, const std::vector<double>& densit
     note(Invariant::penetration, step.greatest_depth / scales_.spacing, step.depth_x);
     note_energy(energy / static_cast<double>(count), x, step);
     note(Invariant::density, density[densest] - 1.0, soil.x[densest]);
-    // A source about as thin as a spacing starts crowded.
-    if (soil.count != crowd_count_) start_crowding_ = excess / static_cast<double>(count);
-    crowd_count_ = soil.count;
-    note(Invariant::volume, std::max(0.0, excess / static_cast<double>(count) - start_crowding_),
-         soil.x[densest]);
+    // A source about as thin as a spacing starts crowded, which is no loss; from then on it may only loosen.
+    const double crowding = excess / static_cast<double>(count);
+    least_crowding_ = steps_ == 1 ? crowding : std::min(least_crowding_, crowding);
+    note(Invariant::volume, crowding - least_crowding_, soil.x[densest]);
     note(Invariant::pressure,
          -(lowest_pressure + scales_.tension) / (scales_.density * scales_.gravity * scales_.height),
          soil.x[lowest]);

@@ -20,7 +20,7 @@ enum class Invariant {
     energy_rise,     ///< rise of the mechanical energy over the least so far / (M g H)
     energy_balance,  ///< |energy lost - work of friction, of the projection and of the bed line| / (M g H)
     density,         ///< excess of the densest particle over rho_0
-    volume,          ///< area lost by the mean excess of density / area
+    volume,          ///< area lost by the mean excess of density over the least so far / area
     pressure,        ///< tension beyond what the soil bears / (rho g H)
     residual,        ///< steps in a row whose pressure solve missed its tolerance / 20; ends as not_converged
     wall_guard,      ///< particles driven into the bed / particles, mean of all steps
@@ -90,8 +90,7 @@ class InvariantWatch {
     double least_energy_ = 0;
     double start_work_ = 0;
     bool started_ = false;
-    double start_crowding_ = 0;  ///< mean excess of density when the soil was let go
-    int crowd_count_ = 0;        ///< particles then
+    double least_crowding_ = 0;  ///< mean excess of density, the least so far
     double driven_in_ = 0;       ///< sum over steps of the share of particles
     long steps_ = 0;
 };

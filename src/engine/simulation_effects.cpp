@@ -18,6 +18,10 @@ namespace {
 constexpr double shifting = 0.1;        // of the way to even spacing in a step
 constexpr double most_shifting = 0.02;  // spacings a step
 constexpr double shifting_way = 0.8;    // of the way that the particle has moved in the step
+// Shares of the velocity filter. With the lesser one a cut near its limit slowly comes apart; with the
+// greater one Bagnold's profile is off by 3.0 % in place of 2.7.
+constexpr double standing_filter = 0.5;
+constexpr double flowing_filter = 0.25;
 constexpr double moved_spacings = 2.0;  // that soil of the bed must move to count as debris
 
 }  // namespace
@@ -25,7 +29,8 @@ constexpr double moved_spacings = 2.0;  // that soil of the bed must move to cou
 void Simulation::set_up_effects() {
     const bool cohesive = friction_.yield().cohesive();
     if (cohesive) pressure_.bear_tension(tension_cut_off(material_, effects_));
-    if (cohesive || (effects_.rate && effects_.rate->increase != 0.0)) filter_.emplace(discretisation_);
+    if (cohesive || (effects_.rate && effects_.rate->increase != 0.0))
+        filter_.emplace(discretisation_, cohesive ? standing_filter : flowing_filter);
     if (effects_.erodible_bed) {
         Source layer;
         layer.outline = layer_outline(ground_.points(), *effects_.erodible_bed);

@@ -5,12 +5,6 @@
 #include "engine/strain_rate.h"
 
 namespace runout {
-namespace {
-
-constexpr double share = 0.5;  // of the difference to the neighbours in a step
-
-}  // namespace
-
 void VelocityFilter::find_gradients(const Neighbours& n, const Wall& wall, const BedLine& bed,
                                     const Soil& soil) {
     soil_velocities(n, soil, velocity_);
@@ -49,7 +43,7 @@ double VelocityFilter::apply(const Neighbours& n, const Wall& wall, const BedLin
     for (int i = 0; i < soil.count; ++i) {
         if (n.rests(i)) continue;
         const Vec2 before{soil.vx[i], soil.vy[i]};
-        const Vec2 after = before + share / discretisation_.lattice_stiffness * change_[i];
+        const Vec2 after = before + share_ / discretisation_.lattice_stiffness * change_[i];
         soil.vx[i] = after.x();
         soil.vy[i] = after.y();
         taken += 0.5 * (before.squaredNorm() - after.squaredNorm());

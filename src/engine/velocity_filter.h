@@ -18,7 +18,9 @@ namespace runout {
 /// momentum.
 class VelocityFilter {
   public:
-    explicit VelocityFilter(const Discretisation& discretisation) : discretisation_(discretisation) {}
+    /// `share`: of the difference to the neighbours that a step takes.
+    VelocityFilter(const Discretisation& discretisation, double share)
+        : discretisation_(discretisation), share_(share) {}
 
     /// Returns the kinetic energy taken out, per mass of one particle, J/kg.
     double apply(const Neighbours& n, const Wall& wall, const BedLine& bed, Soil& soil);
@@ -28,6 +30,7 @@ class VelocityFilter {
     void find_change(const PairBlock& block, const Neighbours& n, const Soil& soil);
 
     Discretisation discretisation_;
+    double share_;
     std::vector<FloatPair> velocity_;
     std::vector<VelocityGradient> gradient_;  ///< per soil particle
     std::vector<Vec2> change_;                ///< per soil particle, m/s
