@@ -16,9 +16,6 @@ constexpr const char* points_key = "source.points";
 // Below this a coordinate is 0: exact arithmetic on numbers near the smallest double leaves its intervals, m.
 constexpr double dust = 1e-12;
 
-// What points on one line enclose after rounding, over the square of their extent.
-constexpr double trace_area = 1e-9;
-
 /// The user's coordinates are decimals: what is nearer to the ground than this is on it.
 double contact_tolerance(double area) {
     return 1e-3 * std::sqrt(area);
@@ -117,7 +114,7 @@ Source derive_polygon(const Profile& profile, const SourceSpec& spec) {
     std::vector<Vec2> corners = local_points(profile, spec);
     if (corners.front() == corners.back()) corners.pop_back();  // a closed ring, as map data have it
     const auto region = simple_polygon(corners);
-    if (!region || region->area() <= trace_area * std::pow(extent(corners), 2))
+    if (!region || is_film(region->area(), corners))
         refuse(spec, points_key, "is not a simple polygon",
                "list three corners or more in order around the source, without crossing or touching lines");
 
@@ -159,7 +156,7 @@ Source derive_slip_surface(const Profile& profile, const SourceSpec& spec) {
     if (real != 1)
         refuse(spec, points_key, fmt::format("cuts off {} pieces of ground", real),
                "the slip line must cut off exactly one");
-    if (pieces->front().area() <= trace_area * std::pow(extent(line), 2))
+    if (is_film(pieces->front().area(), line))
         refuse(spec, points_key, "cuts off a film of ground without thickness",
                "draw the slip line below the surface");
     const Polygon outline = pieces->front().outline();

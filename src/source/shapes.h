@@ -15,7 +15,11 @@ Source derive_c(const Profile& profile, const SourceSpec& spec);
 Source derive_polygon(const Profile& profile, const SourceSpec& spec);
 Source derive_slip_surface(const Profile& profile, const SourceSpec& spec);
 
-/// Reads everything off the region that a Source tells; `head` and `exit` in the local frame.
+/// Whether an area is no more than what points on one line enclose after rounding.
+bool is_film(double area, const std::vector<Vec2>& points);
+
+/// Reads everything off the region that a Source tells; `head` and `exit` in the local frame. Throws
+/// InputError where the mass has no thickness.
 Source source_from(const Region& region, const Profile& profile, const SourceSpec& spec, const Vec2& exit,
                    const Vec2& head);
 

@@ -28,6 +28,11 @@ Source derive_source(const Profile& profile, const SourceSpec& spec) {
     refuse(spec, "source.type", "is not a known type", "known are rectangle, A, B, C, polygon, slip_surface");
 }
 
+bool is_film(double area, const std::vector<Vec2>& points) {
+    constexpr double trace_area = 1e-9;  // over the square of the extent
+    return area <= trace_area * std::pow(extent(points), 2);
+}
+
 Source source_from(const Region& region, const Profile& profile, const SourceSpec& spec, const Vec2& exit,
                    const Vec2& head) {
     Source source;
@@ -35,6 +40,10 @@ Source source_from(const Region& region, const Profile& profile, const SourceSpe
     source.outline = region.outline();
     source.bed = region.bed_in(profile.ground);
     source.area = region.area();
+    if (source.outline.size() < 3 || is_film(source.area, source.outline))
+        refuse(spec, "source.type",
+               fmt::format("{} has no thickness with these measures", to_string(spec.type)),
+               "give measures of one order of size");
     source.front_area = region.area_above(exit, spec.discontinuity_angle);
     source.discontinuity_angle = spec.discontinuity_angle;
     source.exit_point = exit;
