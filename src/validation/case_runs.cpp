@@ -40,19 +40,26 @@ std::vector<std::string> coarse_lattices_of(const std::string& id) {
     return numbered(id + "-coarse");
 }
 
+void plan_lattices(std::vector<PlannedRun>& plan, const std::string& id, const std::string& file,
+                   const Settings& set) {
+    const std::vector<std::string> names = lattices_of(id);
+    for (int k = 0; k < lattices; ++k) {
+        PlannedRun run{names[k], file, set};
+        run.set.emplace_back("run.lattice_seed", std::to_string(k + 1));
+        plan.push_back(run);
+    }
+}
+
 void plan_ensemble(std::vector<PlannedRun>& plan, const std::string& id, const std::string& file,
                    const Settings& set, const std::string& key, double value) {
     const double coarse = key == "run.resolution" ? 0.5 * value : 2.0 * value;
-    const auto add = [&](const std::vector<std::string>& names, double number) {
-        for (int k = 0; k < lattices; ++k) {
-            PlannedRun run{names[k], file, set};
-            run.set.emplace_back(key, fmt::format("{}", number));
-            run.set.emplace_back("run.lattice_seed", std::to_string(k + 1));
-            plan.push_back(run);
-        }
+    const auto with = [&](double number) {
+        Settings both = set;
+        both.emplace_back(key, fmt::format("{}", number));
+        return both;
     };
-    add(lattices_of(id), value);
-    add(coarse_lattices_of(id), coarse);
+    plan_lattices(plan, id, file, with(value));
+    plan_lattices(plan, id + "-coarse", file, with(coarse));
 }
 
 CaseRuns::CaseRuns(const Store& store, std::vector<std::pair<std::string, long>> run_ids)
@@ -88,8 +95,12 @@ bool all_are_results(const CaseRuns& runs, const std::vector<std::string>& ids) 
     return std::ranges::all_of(ids, [&](const std::string& id) { return is_result(runs.run(id).status); });
 }
 
+Estimate mean_and_scatter(const std::vector<double>& values) {
+    return {mean_of(values), deviation_of(values), ValidationEntry::none};
+}
+
 Estimate estimate_of(const std::vector<double>& fine, const std::vector<double>& coarse) {
-    Estimate result{mean_of(fine), deviation_of(fine), ValidationEntry::none};
+    Estimate result = mean_and_scatter(fine);
     result.error = std::hypot(safety_factor * (result.mean - mean_of(coarse)), result.scatter);
     return result;
 }

@@ -19,8 +19,12 @@ struct PlannedRun {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-/// Adds four runs on jittered lattices (run.lattice_seed 1 to 4) with `key` = `value`, and four with twice
-/// the spacing, which tell the error bar. `key` is run.resolution or run.particle_spacing_m.
+/// Adds four runs on jittered lattices, run.lattice_seed 1 to 4.
+void plan_lattices(std::vector<PlannedRun>& plan, const std::string& id, const std::string& file,
+                   const Settings& set);
+
+/// Adds four such runs with `key` = `value`, and four with twice the spacing, which tell the error bar. `key`
+/// is run.resolution or run.particle_spacing_m.
 void plan_ensemble(std::vector<PlannedRun>& plan, const std::string& id, const std::string& file,
                    const Settings& set, const std::string& key, double value);
 
@@ -60,6 +64,8 @@ std::vector<std::string> coarse_lattices_of(const std::string& id);
 template <class Quantity>
 Estimate estimate(const CaseRuns& runs, const std::string& id, const Quantity& quantity);
 
+/// Without an error bar.
+Estimate mean_and_scatter(const std::vector<double>& values);
 Estimate estimate_of(const std::vector<double>& fine, const std::vector<double>& coarse);
 bool all_are_results(const CaseRuns& runs, const std::vector<std::string>& ids);
 
