@@ -84,8 +84,10 @@ void Friction::apply_pressure(const Neighbours& n, const Soil& soil, const Frict
     for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
         pair_kernels().pressure_gradient(rows, pressure_.data(), pressure_x_.data(), pressure_y_.data());
         for (int i = rows.first_row; i < last; ++i) {
-            base_velocity_[i] = {static_cast<float>(soil.vx[i] - scale * pressure_x_[i] + gain.x()),
-                                 static_cast<float>(soil.vy[i] - scale * pressure_y_[i] + gain.y())};
+            base_velocity_[i] = {static_cast<float>(soil.vx[i] - scale * pressure_x_[i] + gain.x() +
+                                                    step.dt * soil.contact_x[i]),
+                                 static_cast<float>(soil.vy[i] - scale * pressure_y_[i] + gain.y() +
+                                                    step.dt * soil.contact_y[i])};
         }
     });
 }

@@ -11,6 +11,24 @@
 namespace runout {
 namespace {
 
+// How far from all other soil a grain is on its own, and how near it is in company, in kernel supports.
+constexpr double lone_distance = 0.9;
+constexpr double company_distance = 0.8;
+
+/// Leaves a share of all wall pairs of a row.
+void fade(WallRow& row, float share) {
+    for (WallPair& pair : row.merged) {
+        for (float* value : {&pair.gx, &pair.gy, &pair.stiffness, &pair.own_gx, &pair.own_gy})
+            *value *= share;
+        pair.own_kernel *= share;
+        pair.own = pair.own && share > 0.0F;
+    }
+    RowSums& sums = row.sums;
+    for (double* value :
+         {&sums.kernel, &sums.stiffness, &sums.surface_x, &sums.surface_y, &sums.xx, &sums.xy, &sums.yy})
+        *value *= share;
+}
+
 /// Inverse of the moment matrix; the identity for a particle too lonely to have a gradient.
 void invert_moment(const double* m, Neighbours& n, int node) {
     const double det = m[0] * m[3] - m[1] * m[2];
@@ -67,6 +85,7 @@ void write_soil_pairs(PairBlock& block, std::size_t first, int width, const Slic
 void write_wall_pairs(PairBlock& block, std::size_t first, int first_row, const SliceRows& rows) {
     for (int l = 0; l < lanes; ++l) {
         std::size_t slot = first + l + static_cast<std::size_t>(rows.soil[l].count) * lanes;
+        if (!rows.wall[l].merged.empty()) make_room(block.wall_pairs, rows_per_block);
         for (WallPair pair : rows.wall[l].merged) {
             pair.slot = static_cast<int>(slot);
             pair.row = first_row + l;
@@ -92,12 +111,16 @@ void permute(std::vector<T>& values, const std::vector<int>& order, std::vector<
 
 NeighbourSearch::NeighbourSearch(const Discretisation& discretisation, int threads)
     : discretisation_(discretisation), threads_(threads) {
-    grid_.size = WendlandKernel(discretisation.smoothing_length).support() / cells_per_support;
+    const WendlandKernel kernel(discretisation.smoothing_length);
+    grid_.size = kernel.support() / cells_per_support;
+    lone_kernel_ = kernel.value(lone_distance * kernel.support());
+    company_kernel_ = kernel.value(company_distance * kernel.support());
 }
 
 void NeighbourSearch::sort(Soil& soil) {
     grid_.sort(soil.x, soil.y, soil.count, order_);
-    const std::array numbers{&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy};
+    const std::array numbers{&soil.x,   &soil.y,   &soil.vx,        &soil.vy,       &soil.pressure,
+                             &soil.sxx, &soil.sxy, &soil.contact_x, &soil.contact_y};
     const std::array names{&soil.id, &soil.aggregate};
     scratch_.resize(numbers.size());
     name_scratch_.resize(names.size());
@@ -114,6 +137,7 @@ void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
     n.stiffness_sum.assign(soil.padded(), 0.0);
     n.surface_x.assign(soil.padded(), 0.0);
     n.surface_y.assign(soil.padded(), 0.0);
+    n.company.assign(soil.padded(), 1.0F);
     n.nearest_boundary.assign(soil.padded(), -1);
     n.density.assign(soil.padded(), 1.0);
     for (auto& component : n.correction) component.assign(soil.padded(), 0.0F);
@@ -151,6 +175,7 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
         SliceSums sums{};
         if (width > 0) {
             write_soil_pairs(block, first, soil_width, rows, finder, sums);
+            if (!rests) fade_lone_grains(n, first_row, sums, rows.wall);
             write_wall_pairs(block, first, first_row, rows);
         }
         for (int l = 0; l < lanes && first_row + l < soil.count; ++l) {
@@ -159,6 +184,18 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
             else
                 write_sums(n, first_row + l, sums, l, rows.wall[l]);
         }
+    }
+}
+
+/// A grain without others around it meets the bed line as a point mass, which the wall guard carries.
+void NeighbourSearch::fade_lone_grains(Neighbours& n, int first_row, const SliceSums& soil,
+                                       std::array<WallRow, lanes>& wall) const {
+    for (int l = 0; l < lanes; ++l) {
+        // Between the two the share rises evenly, so that rounding cannot decide what a grain is.
+        const double rise = (soil.kernel[l] - lone_kernel_) / (company_kernel_ - lone_kernel_);
+        const auto share = static_cast<float>(std::clamp(rise, 0.0, 1.0));
+        n.company[first_row + l] = share;
+        if (share < 1.0F) fade(wall[l], share);
     }
 }
 

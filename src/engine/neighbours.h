@@ -68,7 +68,10 @@ struct Neighbours {
     std::array<std::vector<float>, 4> correction;
     std::vector<double> stiffness_sum;  ///< sum of k over all neighbours, per soil particle
     std::vector<double> surface_x,
-        surface_y;                      ///< sum of V gradW, points into the soil at a free surface, 1/m
+        surface_y;  ///< sum of V gradW, points into the soil at a free surface, 1/m
+    /// Share of its wall pairs that counts: 1 for soil in company; 0 for a grain alone, which meets the bed
+    /// line as a point mass.
+    std::vector<float> company;
     std::vector<int> nearest_boundary;  ///< wall index, -1: no wall within the support; per soil particle
 
     /// Per slice of soil rows, given: 1 where all sleep and nothing is to be solved; empty: nothing sleeps.
@@ -80,6 +83,8 @@ struct Neighbours {
 
     [[nodiscard]] int active_count() const { return static_cast<int>(active.size()); }
 };
+
+struct WallRow;
 
 struct WallRow;
 
@@ -96,6 +101,8 @@ class NeighbourSearch {
 
   private:
     void find_block(const Soil& soil, const Wall& wall, Neighbours& n, int block) const;
+    void fade_lone_grains(Neighbours& n, int first_row, const SliceSums& soil,
+                          std::array<WallRow, lanes>& wall) const;
     void write_resting_sums(Neighbours& n, int i, const WallRow& wall) const;
     void write_sums(Neighbours& n, int i, const SliceSums& soil, int lane, const WallRow& wall) const;
     void number_boundary(const Soil& soil, const Wall& wall, Neighbours& n);
@@ -103,6 +110,8 @@ class NeighbourSearch {
 
     Discretisation discretisation_;
     int threads_;
+    double lone_kernel_ = 0;     ///< kernel sum of other soil up to which a grain is on its own, 1/m2
+    double company_kernel_ = 0;  ///< from which it is in company
     CellGrid grid_;
     std::vector<int> order_;
     std::vector<std::vector<double>> scratch_;

@@ -24,6 +24,8 @@ PressureSolver::PressureSolver(const Discretisation& discretisation, double grav
       gravity_(gravity),
       relaxation_time_(discretisation.spacing / std::sqrt(gravity * length)),
       tolerance_(tolerance),
+      negligible_(1e-12 * discretisation.lattice_stiffness * discretisation.density * gravity *
+                  discretisation.spacing),
       threads_(threads) {}
 
 void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& wall) {
@@ -196,7 +198,7 @@ PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
     for (auto* field : {&residual_, &correction_, &direction_}) set_all(*field, n.nodes, 0.0);
     const double norm =
         std::sqrt(sum_nodes([&](int i) { return right_hand_side_[i] * right_hand_side_[i]; }));
-    const double target = tolerance_ * norm;
+    const double target = std::max(tolerance_ * norm, negligible_);
     double left = std::sqrt(sum_nodes([&](int i) {
         residual_[i] = free_[i] ? right_hand_side_[i] - product_[i] : 0.0;
         return residual_[i] * residual_[i];

@@ -92,6 +92,7 @@ class PressureSolver {
     double gravity_;
     double relaxation_time_;  ///< s, least time in which excess density is worked off
     double tolerance_;
+    double negligible_;  ///< residual of a pressure that decays where nothing presses, before it underflows
     double tension_ = 0;
     std::optional<PressureFilter> filter_;  ///< of cohesive soil
     int threads_;

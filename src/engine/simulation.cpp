@@ -39,9 +39,10 @@ double highest(const Polygon& points) {
     return y;
 }
 
-/// A mass that slides on with the speed of its fall H needs sqrt(2 H/g) / strength to stop.
+/// A mass that slides on with the speed of its fall H needs sqrt(2 H/g) / strength to stop on level ground;
+/// on a bed close to repose it takes many times as long.
 double time_to_stop(double height, double gravity, double strength) {
-    return std::max(60.0, 6.0 / std::max(strength, 0.01)) * std::sqrt(height / gravity);
+    return std::max(60.0, 20.0 / std::max(strength, 0.01)) * std::sqrt(height / gravity);
 }
 
 double spacing_of(const Scene& scene) {
@@ -279,15 +280,20 @@ StepFacts Simulation::guard_wall(double dt) {
     const bool all_awake = neighbours_.resting.empty();
     for (int i = 0; i < soil_.count; ++i) {
         if (!all_awake && neighbours_.rests(i)) continue;
+        soil_.contact_x[i] = soil_.contact_y[i] = 0.0;
         const int boundary = neighbours_.nearest_boundary[i];
         const BedLine::Nearest near =
             boundary < 0 ? bed_.below(soil_.x[i], soil_.y[i])
                          : bed_.nearest({soil_.x[i], soil_.y[i]}, wall_.segment[boundary], 8);
         if (near.distance >= 0.0) continue;
-        const double back = std::min(-near.distance, 0.5 * discretisation_.spacing);
-        const Vec2 taken = push_back(i, back, near.normal);
+        const bool in_company = neighbours_.company[i] == 1.0F;
+        // A grain alone is carried here, and may have come a whole spacing in the step.
+        const double back =
+            in_company ? std::min(-near.distance, 0.5 * discretisation_.spacing) : -near.distance;
+        const Vec2 taken = push_back(i, back, near.normal, dt);
         if (barrier_) barrier_->add_guard_impulse(near.segment, discretisation_.mass() * taken);
-        if (back > harmless) ++facts.driven_in;
+        // Soil under pressure should have been kept out by it; what nothing presses simply lands.
+        if (back > harmless && in_company && soil_.pressure[i] > 0.0) ++facts.driven_in;
         if (-near.distance - back > facts.greatest_depth) {
             facts.greatest_depth = -near.distance - back;
             facts.depth_x = soil_.x[i];
@@ -298,7 +304,7 @@ StepFacts Simulation::guard_wall(double dt) {
 }
 
 /// Returns the change of velocity that the bed took.
-Vec2 Simulation::push_back(int i, double distance, const Vec2& normal) {
+Vec2 Simulation::push_back(int i, double distance, const Vec2& normal, double dt) {
     const Vec2 v{soil_.vx[i], soil_.vy[i]};
     const double inward = std::max(0.0, -v.dot(normal));
     const Vec2 slip = v - v.dot(normal) * normal;
@@ -306,12 +312,18 @@ Vec2 Simulation::push_back(int i, double distance, const Vec2& normal) {
     const double strength = base_strength_ratio(material_, effects_, soil_.x[i]);
     const double kept = speed > 0.0 ? std::max(0.0, 1.0 - strength * inward / speed) : 0.0;
     const Vec2 left = kept * slip + std::max(0.0, v.dot(normal)) * normal;
-    soil_.x[i] += distance * normal.x();
-    soil_.y[i] += distance * normal.y();
+    const double push = std::min(inward / dt, run_.gravity);
+    soil_.contact_x[i] = push * normal.x();
+    soil_.contact_y[i] = push * normal.y();
+    // Since it met the bed it has slid too far, or a grain would creep down a slope that holds it.
+    const double since = inward * dt > distance ? distance / inward : dt;
+    const Vec2 moved = distance * normal - (1.0 - kept) * since * slip;
+    soil_.x[i] += moved.x();
+    soil_.y[i] += moved.y();
     soil_.vx[i] = left.x();
     soil_.vy[i] = left.y();
-    guard_work_ += discretisation_.mass() *
-                   (0.5 * (v.squaredNorm() - left.squaredNorm()) - run_.gravity * distance * normal.y());
+    guard_work_ +=
+        discretisation_.mass() * (0.5 * (v.squaredNorm() - left.squaredNorm()) - run_.gravity * moved.y());
     return v - left;
 }
 

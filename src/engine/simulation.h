@@ -75,6 +75,8 @@ struct StepWork {
 class Simulation {
   public:
     explicit Simulation(const Scene& scene);
+    /// From particles that stand elsewhere than the scene's source is filled.
+    Simulation(const Scene& scene, const Packing& packing);
 
     /// One time step, in the paper's order:
     ///   neighbours -> time step -> friction (predictor) -> pressure (projection) -> correct -> move
@@ -117,7 +119,6 @@ class Simulation {
     [[nodiscard]] double time_scale() const { return time_scale_; }
 
   private:
-    Simulation(const Scene& scene, const Packing& packing);
     void set_up_effects();
     double& cost_of(const char* effect);
     [[nodiscard]] Vec2 body_acceleration() const;
@@ -142,7 +143,7 @@ class Simulation {
     void correct(double dt);
     void move(double dt);
     StepFacts guard_wall(double dt);
-    Vec2 push_back(int i, double distance, const Vec2& normal);
+    Vec2 push_back(int i, double distance, const Vec2& normal, double dt);
     void judge(StepFacts& facts);
     void end_at_rest();
     void release_layer();
