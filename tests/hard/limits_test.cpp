@@ -61,5 +61,17 @@ TEST(Limits, HeapsBelowReposeStandForThreeHundredFallTimes) {
     }
 }
 
+/// 6 deg below repose: the lattice finds its rest, and then it stands.
+TEST(FullLimits, TwoHundredThousandParticlesComeToRest) {
+    Simulation simulation(scenes::heap(20.0, 5.0, 30.0, 0.0131));
+    EXPECT_GE(simulation.state().x.size(), 200000U);
+    while (simulation.status() == RunStatus::running) simulation.step();
+    EXPECT_TRUE(is_result(simulation.status())) << simulation.status_detail();
+    for (int k = 0; k < static_cast<int>(Invariant::count); ++k)
+        EXPECT_LE(worst(simulation, static_cast<Invariant>(k)),
+                  simulation.invariants()[static_cast<std::size_t>(k)].limit)
+            << to_string(static_cast<Invariant>(k));
+}
+
 }  // namespace
 }  // namespace runout

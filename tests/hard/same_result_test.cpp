@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "engine/simulation.h"
 #include "hard/hard_scenes.h"
@@ -74,6 +76,24 @@ TEST(SameResult, UnderAThousandTimesTheGravityTheMassIsTheSame) {
     StressPoint p = plain_point();
     p.gravity_m_s2 *= 1e3;
     expect_same_mass(p, 0.01);
+}
+
+/// FNV-1a over the bits of all coordinates.
+std::uint64_t digest(const std::vector<Vec2>& points) {
+    std::uint64_t hash = 0xcbf29ce484222325U;
+    for (const Vec2& p : points)
+        for (const double c : {p.x(), p.y()})
+            for (int byte = 0; byte < 8; ++byte)
+                hash = (hash ^ (std::bit_cast<std::uint64_t>(c) >> (8 * byte) & 0xFFU)) * 0x100000001b3U;
+    return hash;
+}
+
+// Debug, release and sanitizer builds, of g++ and of clang++, must all find this. What changes the engine's
+// results changes the number too, and then the failure shows the new one.
+TEST(SameResult, EveryBuildGivesTheSameBits) {
+    const Ending ending = ending_of(stress_scene(plain_point(), "plain"));
+    EXPECT_EQ(ending.steps, 677);
+    EXPECT_EQ(digest(ending.positions), 664636289703747382U);
 }
 
 }  // namespace
