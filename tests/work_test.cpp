@@ -15,16 +15,17 @@ std::atomic<long> allocations{0};
 
 }  // namespace
 
-// Every allocation of the program under test is counted; the replaced functions must be global.
+// Every allocation of the program under test is counted; the replaced functions must be global. Inlined, new
+// and free look mismatched to g++.
 void* operator new(std::size_t size) {
     ++allocations;
     if (void* memory = std::malloc(size)) return memory;
     throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept {
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
     std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
 
