@@ -156,7 +156,7 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
     clear(block);
     for (int slice = 0; slice < slices_per_block; ++slice) {
         const int first_row = block.first_row + slice * lanes;
-        const bool rests = n.rests(first_row);
+        const bool rests = first_row < soil.count && n.rests(first_row);  // the last block has fewer rows
         int soil_width = 0;
         std::size_t width = 0;
         for (int l = 0; l < lanes; ++l) {
