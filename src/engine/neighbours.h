@@ -86,8 +86,6 @@ struct Neighbours {
 
 struct WallRow;
 
-struct WallRow;
-
 /// Builds Neighbours anew; keeps the memory from call to call.
 class NeighbourSearch {
   public:
