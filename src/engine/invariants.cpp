@@ -25,7 +25,7 @@ constexpr std::array<Rule, static_cast<int>(Invariant::count)> rules = {{
     {"volume", 0.02, "area lost to excess of density / area"},
     {"pressure", 0.0, "tension beyond the cut-off / (rho g H)"},
     {"residual", 1.0, "steps in a row whose pressure solve missed its tolerance / 20"},
-    {"wall_guard", 1e-2, "particles driven into the bed / particles, per spacing of way"},
+    {"wall_guard", 1e-3, "particles driven into the bed / particles, a step"},
     {"time_step", 1.0, "floor of the time step / time step"},
 }};
 
@@ -127,9 +127,8 @@ void InvariantWatch::observe(const Soil& soil, const std::vector<double>& densit
     note(Invariant::residual, step.unconverged / tolerated_misses, x);
     driven_in_ += static_cast<double>(step.driven_in) / static_cast<double>(count);
     const double grace = guard_grace / static_cast<double>(count);
-    // The way of one that moves as far in every step as the Courant number lets it.
-    const double way = scales_.courant * static_cast<double>(steps_);  // spacings
-    note(Invariant::wall_guard, std::max(0.0, driven_in_ - grace) / way, step.depth_x);
+    note(Invariant::wall_guard, std::max(0.0, driven_in_ - grace) / static_cast<double>(steps_),
+         step.depth_x);
     const double natural =
         scales_.courant * scales_.spacing / std::sqrt(2.0 * scales_.gravity * scales_.height);
     note(Invariant::time_step, step_floor * natural / step.dt, x);

@@ -14,7 +14,6 @@ constexpr int max_iterations = 1000;
 constexpr double coarse_cell_spacings = 4.0;
 constexpr double coarse_scale = 1.5;  // makes up for the piecewise constant coarse space
 constexpr int steps_per_coarse_build = 15;
-constexpr double steps_per_relaxation = 5.0;  // of excess density, at least
 constexpr int boundary_chunk = 64;
 
 }  // namespace
@@ -89,8 +88,7 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
                                   static_cast<float>(vy[i] - scale * gradient_y_[i])};
         }
     });
-    const double rate =
-        step.correct_density ? 1.0 / std::max(relaxation_time_, steps_per_relaxation * dt) : 0.0;
+    const double rate = step.correct_density ? 1.0 / std::max(relaxation_time_, 10.0 * dt) : 0.0;
     const auto wanted = [&](int node) { return rate * std::max(0.0, n.density[node] - 1.0); };
     for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
         pair_kernels().velocity_divergence(rows, trial_velocity_.data(), right_hand_side_.data());

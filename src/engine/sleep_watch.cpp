@@ -10,7 +10,7 @@ namespace {
 
 constexpr double cell_spacings = 3.0;  // more than a kernel support
 constexpr int quiet_windows = 2;       // in a row, before soil sleeps
-constexpr double quiet_motion = 0.01;  // spacings in a window
+constexpr double quiet_motion = 0.02;  // spacings in a window
 constexpr double waking_motion = 0.025;
 constexpr double quiet_load = 0.2;  // of rho g dl, and a tenth of it of the pressure, in a window
 constexpr double waking_load = 0.5;

@@ -71,7 +71,7 @@ Hillside hillside_of(const StressPoint& p, SourceKind kind) {
     const double drop = falls_from_height && kind != SourceKind::falling_block ? p.drop_height_ratio : 0.0;
     h.height = p.size_m * std::max(drop, height_of_source(p, kind));
     // What lies on the crest and is pressed back slides there as far as its strength lets it.
-    h.bench = p.size_m * std::max(30.0, 1.5 / std::max(strength_on_bed(p), 0.01));
+    h.bench = p.size_m * std::max(30.0, 3.0 / std::max(strength_on_bed(p), 0.01));
     h.detail = p.detail_ratio * p.size_m;
     if (h.shape == HillsideShape::steps) h.detail = p.size_m / p.resolution;  // at the scale of a particle
     const double fall = kind == SourceKind::falling_block ? p.drop_height_ratio * p.size_m : 0.0;

@@ -10,7 +10,9 @@ namespace runout::numerics {
 namespace {
 
 constexpr double smoothing_ratio = 1.3;
+constexpr double courant = 0.1;                // the default of RunSettings
 constexpr double pressure_wave_courant = 0.5;  // that of Simulation
+constexpr double pressure_tolerance = 1e-2;    // the default of RunSettings
 
 RunSettings settings(double gravity) {
     RunSettings run;
@@ -78,13 +80,13 @@ Fluid::Fluid(double spacing, const std::vector<Vec2>& points, const BedLine& bed
     : cloud(spacing, points, bed),
       gravity_(gravity),
       friction_(cloud.d, YieldStrength(Material{density, 0.0}, {}, {}), settings(gravity), 1),
-      pressure_(cloud.d, speed * speed / length, length, RunSettings{}.pressure_tolerance, 1) {}
+      pressure_(cloud.d, speed * speed / length, length, pressure_tolerance, 1) {}
 
 double Fluid::time_step() const {
     double speed2 = 0.0;
     for (int i = 0; i < cloud.soil.count; ++i)
         speed2 = std::max(speed2, std::pow(cloud.soil.vx[i], 2) + std::pow(cloud.soil.vy[i], 2));
-    const double passage = RunSettings{}.courant * cloud.d.spacing / std::sqrt(speed2);
+    const double passage = courant * cloud.d.spacing / std::sqrt(speed2);
     if (highest_pressure_ <= 0.0) return passage;
     return std::min(passage,
                     pressure_wave_courant * cloud.d.spacing / std::sqrt(highest_pressure_ / density));
