@@ -53,9 +53,11 @@ double height_of_source(const StressPoint& p, SourceKind kind) {
     }
 }
 
-/// Long enough by the energy line from the crest to the tip of the debris, which goes further than the middle
-/// of it does, and for a heap that spreads on level ground. `reach`: of the tip over that of the energy line.
-double run_out_length(const StressPoint& p, double height, double reach) {
+/// Long enough by the energy line from the crest to the tip of the debris, and for a heap that spreads on
+/// level ground. What falls on level ground splashes both ways, in jets of up to twice the speed of the fall:
+/// the tip may go five times as far as the middle.
+double run_out_length(const StressPoint& p, double height) {
+    constexpr double reach = 5.0;
     const double strength = std::max(strength_on_bed(p), 0.01);
     const double repose = std::atan(strength);
     const double fall = p.run_out_slope_share * repose;
@@ -75,9 +77,7 @@ Hillside hillside_of(const StressPoint& p, SourceKind kind) {
     h.detail = p.detail_ratio * p.size_m;
     if (h.shape == HillsideShape::steps) h.detail = p.size_m / p.resolution;  // at the scale of a particle
     const double fall = kind == SourceKind::falling_block ? p.drop_height_ratio * p.size_m : 0.0;
-    // What falls on level ground splashes both ways, in jets of up to twice the speed of the fall.
-    h.run_out_length =
-        run_out_length(p, h.height + fall + fall_of_steps(h), kind == SourceKind::falling_block ? 5.0 : 2.5);
+    h.run_out_length = run_out_length(p, h.height + fall + fall_of_steps(h));
     if (kind == SourceKind::falling_block) h.bench = h.run_out_length;
     h.run_out_angle = p.run_out_slope_share * std::atan(strength_on_bed(p));
     return h;
