@@ -13,6 +13,7 @@ namespace runout {
 namespace {
 
 constexpr double sliver_angle = radians(1.0);
+constexpr double steepest_slide = radians(80.0);  // of a face; down a steeper one soil rather falls
 
 template <class Choice>
 Choice chosen(double value) {
@@ -53,11 +54,9 @@ double height_of_source(const StressPoint& p, SourceKind kind) {
     }
 }
 
-/// Long enough by the energy line from the crest to the tip of the debris, and for a heap that spreads on
-/// level ground. What falls on level ground splashes both ways, in jets of up to twice the speed of the fall:
-/// the tip may go five times as far as the middle.
-double run_out_length(const StressPoint& p, double height) {
-    constexpr double reach = 5.0;
+/// Long enough by the energy line from the crest to the tip of the debris, which goes further than the middle
+/// of it does, and for a heap that spreads on level ground. `reach`: of the tip over that of the energy line.
+double run_out_length(const StressPoint& p, double height, double reach) {
     const double strength = std::max(strength_on_bed(p), 0.01);
     const double repose = std::atan(strength);
     const double fall = p.run_out_slope_share * repose;
@@ -77,7 +76,9 @@ Hillside hillside_of(const StressPoint& p, SourceKind kind) {
     h.detail = p.detail_ratio * p.size_m;
     if (h.shape == HillsideShape::steps) h.detail = p.size_m / p.resolution;  // at the scale of a particle
     const double fall = kind == SourceKind::falling_block ? p.drop_height_ratio * p.size_m : 0.0;
-    h.run_out_length = run_out_length(p, h.height + fall + fall_of_steps(h));
+    // What falls on level ground splashes both ways, in jets of up to twice the speed of the fall.
+    const bool falls = kind == SourceKind::falling_block || h.face_angle > steepest_slide;
+    h.run_out_length = run_out_length(p, h.height + fall + fall_of_steps(h), falls ? 5.0 : 2.5);
     if (kind == SourceKind::falling_block) h.bench = h.run_out_length;
     h.run_out_angle = p.run_out_slope_share * std::atan(strength_on_bed(p));
     return h;

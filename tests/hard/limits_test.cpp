@@ -61,7 +61,7 @@ TEST(Limits, HeapsBelowReposeStandForThreeHundredFallTimes) {
     }
 }
 
-/// 6 deg below repose: the lattice finds its rest, and then it stands.
+/// 11 deg below repose: the lattice finds its rest, and then it stands.
 TEST(FullLimits, TwoHundredThousandParticlesComeToRest) {
     Simulation simulation(scenes::heap(15.0, 5.0, 30.0, 0.0152));
     EXPECT_GE(simulation.state().x.size(), 200000U);
