@@ -275,9 +275,8 @@ void Simulation::move(double dt) {
 /// ends. Says how many were driven in and how deep the deepest still is.
 StepFacts Simulation::guard_wall(double dt) {
     StepFacts facts;
-    // Soil scrapes past edges of the bed that the kernel does not resolve, and what lies on the line without
-    // a neighbour to carry it falls this far from rest: no defect.
-    const double harmless = 0.05 * discretisation_.spacing + run_.gravity * dt * dt;
+    // A grain that lies on the line without a neighbour to carry it falls this far from rest: no defect.
+    const double harmless = 0.01 * discretisation_.spacing + run_.gravity * dt * dt;
     const bool all_awake = neighbours_.resting.empty();
     for (int i = 0; i < soil_.count; ++i) {
         if (!all_awake && neighbours_.rests(i)) continue;

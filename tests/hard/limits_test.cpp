@@ -61,9 +61,9 @@ TEST(Limits, HeapsBelowReposeStandForThreeHundredFallTimes) {
     }
 }
 
-/// 11 deg below repose: the lattice finds its rest, and then it stands.
+/// 6 deg below repose: the lattice finds its rest, and then it stands.
 TEST(FullLimits, TwoHundredThousandParticlesComeToRest) {
-    Simulation simulation(scenes::heap(15.0, 5.0, 30.0, 0.0152));
+    Simulation simulation(scenes::heap(20.0, 5.0, 30.0, 0.0131));
     EXPECT_GE(simulation.state().x.size(), 200000U);
     while (simulation.status() == RunStatus::running) simulation.step();
     EXPECT_TRUE(is_result(simulation.status())) << simulation.status_detail();
