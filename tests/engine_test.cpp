@@ -245,7 +245,7 @@ TEST(Operators, EveryInstructionSetGivesTheSameBits) {
             keep(b);
             kernels.velocity_divergence(rows, v.data(), a.data());
             keep(a);
-            kernels.stiffness_product(rows, p.data(), a.data());
+            kernels.pressure_product(rows, p.data(), p.data(), a.data());
             keep(a);
             kernels.velocity_gradient(rows, v.data(), g);
             for (const float* part : {g.xx, g.xy, g.yx, g.yy}) keep(std::span(part, rows.slices * lanes));

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "engine/node_array.h"
+#include "engine/parallel.h"
 
 namespace runout {
 
@@ -21,8 +21,16 @@ struct CellGrid {
     std::vector<int> slot;   ///< per column of the window: which of those that hold something; -1: none
     std::vector<int> start;  ///< particles of cell c: [start[c], start[c+1])
 
-    [[nodiscard]] long column(double x) const { return static_cast<long>(std::floor(x / size)); }
-    [[nodiscard]] long row(double y) const { return static_cast<long>(std::floor(y / size)); }
+    std::vector<std::size_t> cell_of;  ///< of each point sorted last
+
+    [[nodiscard]] long column(double x) const { return floor_of(x / size); }
+    [[nodiscard]] long row(double y) const { return floor_of(y / size); }
+
+    /// As std::floor, without a call: the oldest machines have no instruction for it.
+    [[nodiscard]] static long floor_of(double value) {
+        const auto towards_zero = static_cast<long>(value);
+        return towards_zero - (static_cast<double>(towards_zero) > value ? 1 : 0);
+    }
 
     /// Sets the window to cover the given points, empty.
     void cover(const std::vector<double>& x, const std::vector<double>& y, std::size_t count) {
@@ -53,13 +61,17 @@ struct CellGrid {
 
     /// Stable counting sort: fills `start`, and `order` with particle indices cell by cell.
     void sort(const std::vector<double>& x, const std::vector<double>& y, std::size_t count,
-              std::vector<int>& order) {
+              std::vector<int>& order, int threads = 1) {
         cover(x, y, count);
         order.resize(count);
-        for (std::size_t i = 0; i < count; ++i) ++start[cell(x[i], y[i]) + 1];
+        fit(cell_of, count);
+        for_each_piece(static_cast<int>(count), threads, [&](int first, int last) {
+            for (int i = first; i < last; ++i) cell_of[i] = cell(x[i], y[i]);
+        });
+        for (const std::size_t c : cell_of) ++start[c + 1];
         for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
         for (std::size_t i = count; i-- > 0;) {  // backwards, then `start` is shifted into place below
-            order[static_cast<std::size_t>(--start[cell(x[i], y[i]) + 1])] = static_cast<int>(i);
+            order[static_cast<std::size_t>(--start[cell_of[i] + 1])] = static_cast<int>(i);
         }
         // start[c+1] now holds the first particle of cell c; move it down by one.
         for (std::size_t c = 0; c + 1 < start.size(); ++c) start[c] = start[c + 1];

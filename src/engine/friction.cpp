@@ -19,18 +19,20 @@ Friction::Friction(const Discretisation& discretisation, YieldStrength yield, co
       threads_(threads) {}
 
 void Friction::load(const Neighbours& n, const Soil& soil, const Wall& wall) {
-    for (auto* field : {&pressure_, &pressure_x_, &pressure_y_}) set_all(*field, n.nodes, 0.0);
-    for (auto* field : {&stress_, &ahead_, &base_velocity_, &velocity_, &force_}) {
-        set_all(*field, n.nodes, FloatPair{});
-    }
-    set_all(strength_, n.nodes, 0.0F);
+    for (auto* field : {&pressure_x_, &pressure_y_}) fit(*field, n.nodes);
+    for (auto* field : {&ahead_, &base_velocity_, &force_}) fit(*field, n.nodes);
+    for (auto* field : {&stress_, &velocity_}) set_all(*field, n.nodes, FloatPair{});
+    set_all(pressure_, n.nodes, 0.0);
+    fit(strength_, n.nodes);
     if (yield_.cohesive())
         for (int c = 0; c < 4; ++c) set_all(no_correction_[c], n.nodes, c == 0 || c == 3 ? 1.0F : 0.0F);
-    for (int i = 0; i < soil.count; ++i) {
-        pressure_[i] = soil.pressure[i];
-        stress_[i] = {static_cast<float>(soil.sxx[i]), static_cast<float>(soil.sxy[i])};
-        velocity_[i] = {static_cast<float>(soil.vx[i]), static_cast<float>(soil.vy[i])};
-    }
+    for_each_piece(soil.count, threads_, [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
+            pressure_[i] = soil.pressure[i];
+            stress_[i] = {static_cast<float>(soil.sxx[i]), static_cast<float>(soil.sxy[i])};
+            velocity_[i] = {static_cast<float>(soil.vx[i]), static_cast<float>(soil.vy[i])};
+        }
+    });
     for (int a = 0; a < n.active_count(); ++a) {
         const int node = n.first_boundary + a;
         pressure_[node] = wall.pressure[n.active[a]];
@@ -67,10 +69,12 @@ void Friction::find_strain_rate(const Neighbours& n, const Soil& soil, const Wal
 }
 
 void Friction::save(const Neighbours& n, Soil& soil, Wall& wall) const {
-    for (int i = 0; i < soil.count; ++i) {
-        soil.sxx[i] = stress_[i].x;
-        soil.sxy[i] = stress_[i].y;
-    }
+    for_each_piece(soil.count, threads_, [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
+            soil.sxx[i] = stress_[i].x;
+            soil.sxy[i] = stress_[i].y;
+        }
+    });
     for (int a = 0; a < n.active_count(); ++a) {
         wall.sxx[n.active[a]] = stress_[n.first_boundary + a].x;
         wall.sxy[n.active[a]] = stress_[n.first_boundary + a].y;

@@ -46,21 +46,18 @@ struct SliceRows {
     std::array<WallRow, lanes> wall;
 };
 
-void clear(PairBlock& block) {
-    block.column.clear();
-    block.gx.clear();
-    block.gy.clear();
-    block.stiffness.clear();
-    block.wall_pairs.clear();
+/// Room for a slice. Entries are those of the step before until they are written.
+void grow(PairBlock& block, std::size_t size) {
+    if (block.column.size() >= size) return;
+    fit(block.column, size);
+    for (auto* field : {&block.gx, &block.gy, &block.stiffness}) fit(*field, size);
 }
 
-void grow(PairBlock& block, std::size_t size) {
-    make_room(block.column, size);
-    for (auto* field : {&block.gx, &block.gy, &block.stiffness}) make_room(*field, size);
-    block.column.resize(size, 0);
-    block.gx.resize(size, 0.0F);
-    block.gy.resize(size, 0.0F);
-    block.stiffness.resize(size, 0.0F);
+/// Entries of which nothing comes.
+void clear(PairBlock& block, std::size_t first, std::size_t last) {
+    std::fill(&block.column[first], &block.column[first] + (last - first), 0);
+    for (auto* field : {&block.gx, &block.gy, &block.stiffness})
+        std::fill(&(*field)[first], &(*field)[first] + (last - first), 0.0F);
 }
 
 /// Writes the soil pairs of a slice, lane beside lane, and finds their geometry. Short lanes are filled up
@@ -75,7 +72,11 @@ void write_soil_pairs(PairBlock& block, std::size_t first, int width, const Slic
             block.gx[slot] = near.dx[k];
             block.gy[slot] = near.dy[k];
         }
-        for (int k = near.count; k < width; ++k, slot += lanes) block.gx[slot] = finder.support;
+        for (int k = near.count; k < width; ++k, slot += lanes) {
+            block.column[slot] = 0;
+            block.gx[slot] = finder.support;
+            block.gy[slot] = 0.0F;
+        }
     }
     pair_kernels().slice_geometry({width, &block.gx[first], &block.gy[first], &block.stiffness[first]},
                                   finder.constants, sums);
@@ -98,13 +99,18 @@ void write_wall_pairs(PairBlock& block, std::size_t first, int first_row, const 
     }
 }
 
-template <class T>
-void permute(std::vector<T>& values, const std::vector<int>& order, std::vector<T>& scratch) {
-    scratch.resize(values.size());
-    for (std::size_t i = 0; i < order.size(); ++i) scratch[i] = values[order[i]];
-    std::copy(values.begin() + static_cast<long>(order.size()), values.end(),
-              scratch.begin() + static_cast<long>(order.size()));
-    values.swap(scratch);
+/// Brings fields of one length into a new order, on `threads` threads.
+template <class T, std::size_t fields>
+void permute(const std::array<std::vector<T>*, fields>& values, const std::vector<int>& order, int threads,
+             std::vector<std::vector<T>>& scratch) {
+    scratch.resize(fields);
+    for (std::vector<T>& field : scratch) fit(field, order.size());
+    for_each_piece(static_cast<int>(order.size()), threads, [&](int first, int last) {
+        for (std::size_t f = 0; f < fields; ++f) {
+            for (int i = first; i < last; ++i) scratch[f][i] = (*values[f])[order[i]];
+        }
+    });
+    for (std::size_t f = 0; f < fields; ++f) values[f]->swap(scratch[f]);
 }
 
 }  // namespace
@@ -118,17 +124,12 @@ NeighbourSearch::NeighbourSearch(const Discretisation& discretisation, int threa
 }
 
 void NeighbourSearch::sort(Soil& soil) {
-    grid_.sort(soil.x, soil.y, soil.count, order_);
-    const std::array numbers{&soil.x,   &soil.y,   &soil.vx,        &soil.vy,       &soil.pressure,
-                             &soil.sxx, &soil.sxy, &soil.contact_x, &soil.contact_y};
-    const std::array names{&soil.id, &soil.aggregate};
-    scratch_.resize(numbers.size());
-    name_scratch_.resize(names.size());
-    for_each_block(static_cast<int>(numbers.size() + names.size()), threads_, [&](int f) {
-        const auto field = static_cast<std::size_t>(f);
-        if (field < numbers.size()) return permute(*numbers[field], order_, scratch_[field]);
-        permute(*names[field - numbers.size()], order_, name_scratch_[field - numbers.size()]);
-    });
+    grid_.sort(soil.x, soil.y, soil.count, order_, threads_);
+    for (int i = soil.count; i < soil.padded(); ++i) order_.push_back(i);
+    permute(std::array{&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy,
+                       &soil.contact_x, &soil.contact_y},
+            order_, threads_, scratch_);
+    permute(std::array{&soil.id, &soil.aggregate}, order_, threads_, name_scratch_);
 }
 
 void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
@@ -153,7 +154,7 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
     const PairFinder finder(discretisation_);
     PairBlock& block = n.blocks[b];
     block.first_row = b * rows_per_block;
-    clear(block);
+    block.wall_pairs.clear();
     for (int slice = 0; slice < slices_per_block; ++slice) {
         const int first_row = block.first_row + slice * lanes;
         const bool rests = first_row < soil.count && n.rests(first_row);  // the last block has fewer rows
@@ -169,12 +170,14 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
             soil_width = std::max(soil_width, rows.soil[l].count);
             width = std::max(width, rows.soil[l].count + rows.wall[l].merged.size());
         }
-        const std::size_t first = block.column.size();
-        grow(block, first + width * lanes);
-        block.offset[slice + 1] = static_cast<int>(block.column.size());
+        const auto first = static_cast<std::size_t>(block.offset[slice]);
+        const std::size_t last = first + width * lanes;
+        block.offset[slice + 1] = static_cast<int>(last);
+        grow(block, last);
         SliceSums sums{};
         if (width > 0) {
             write_soil_pairs(block, first, soil_width, rows, finder, sums);
+            clear(block, first + static_cast<std::size_t>(soil_width) * lanes, last);
             if (!rests) fade_lone_grains(n, first_row, sums, rows.wall);
             write_wall_pairs(block, first, first_row, rows);
         }

@@ -12,6 +12,13 @@ void make_room(std::vector<T>& array, std::size_t size) {
     if (array.capacity() < size) array.reserve(size + size / 4);
 }
 
+/// Gives an array `size` elements that are all written before they are read.
+template <class T>
+void fit(std::vector<T>& array, std::size_t size) {
+    make_room(array, size);
+    array.resize(size);
+}
+
 /// Gives an array `size` elements of one value.
 template <class T>
 void set_all(std::vector<T>& array, std::size_t size, const T& value) {

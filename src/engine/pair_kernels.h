@@ -116,8 +116,8 @@ struct PairKernels {
     /// Turns s by the spin of the soil over dt (Jaumann; the rational form of the rotation keeps |s|). For
     /// the block's rows.
     void (*rotate_stress)(const PairRows& rows, const StressRotation& rotation);
-    /// out = sum_j k_ij x_j.
-    void (*stiffness_product)(const PairRows& rows, const double* x, double* out);
+    /// out = d_i x_i - sum_j k_ij x_j: rows of the pressure matrix with the given diagonal.
+    void (*pressure_product)(const PairRows& rows, const double* diagonal, const double* x, double* out);
     /// Writes index and separation of all that is nearer than the square root of `support2`, in order, and
     /// returns how many. There must be room for all of the ranges and 16 more.
     int (*select_near)(const double* x, const double* y, const NearQuery& query, float support2,

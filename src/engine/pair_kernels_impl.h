@@ -122,6 +122,7 @@ void update_stress(const PairRows& p, const StressUpdate& update) {
     FloatPair* __restrict__ ahead = update.ahead + p.first_row;
     const float half_step = 0.5F * update.step;
     const float momentum = update.momentum;
+#pragma omp simd
     for (int k = 0; k < p.slices * lanes; ++k) {
         const float xx = g.xx[k] * b0[k] + g.xy[k] * b2[k];
         const float xy = g.xx[k] * b1[k] + g.xy[k] * b3[k];
@@ -150,6 +151,7 @@ void rotate_stress(const PairRows& p, const StressRotation& rotation) {
     const float* __restrict__ b3 = rotation.correction[3] + p.first_row;
     FloatPair* __restrict__ stress = rotation.stress + p.first_row;
     const float half_dt = 0.5F * rotation.dt;
+#pragma omp simd
     for (int k = 0; k < p.slices * lanes; ++k) {
         const float xy = g.xx[k] * b1[k] + g.xy[k] * b3[k];
         const float yx = g.yx[k] * b0[k] + g.yy[k] * b2[k];
@@ -165,47 +167,46 @@ void rotate_stress(const PairRows& p, const StressRotation& rotation) {
     }
 }
 
-void stiffness_product(const PairRows& p, const double* x, double* out) {
+void pressure_product(const PairRows& p, const double* diagonal, const double* x, double* out) {
     for (int s = 0; s < p.slices; ++s) {
         const int row = p.first_row + s * lanes;
         double sum[lanes] = {};
         for (int e = p.offset[s]; e < p.offset[s + 1]; e += lanes) {
             for (int l = 0; l < lanes; ++l) sum[l] += p.stiffness[e + l] * x[p.column[e + l]];
         }
-        for (int l = 0; l < lanes; ++l) out[row + l] = sum[l];
+        for (int l = 0; l < lanes; ++l) out[row + l] = diagonal[row + l] * x[row + l] - sum[l];
     }
 }
 
 #if defined(__AVX512F__)
 
+/// Eight candidates at a time: a range of the spatial order seldom has more.
 int select_near(const double* x, const double* y, const NearQuery& query, float support2,
                 std::int32_t* column, float* dx, float* dy) {
+    constexpr int width = 8;
     const __m512d px = _mm512_set1_pd(query.x);
     const __m512d py = _mm512_set1_pd(query.y);
-    const __m512i self = _mm512_set1_epi32(query.self);
-    const __m512 limit = _mm512_set1_ps(support2);
-    const __m512i lane = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
-    const auto separation = [](const double* from, int k, __mmask16 valid, __m512d to) {
-        const __m512d low = _mm512_maskz_loadu_pd(static_cast<__mmask8>(valid), from + k);
-        const __m512d high = _mm512_maskz_loadu_pd(static_cast<__mmask8>(valid >> 8), from + k + 8);
-        const __m256 a = _mm512_maskz_cvtpd_ps(0xFF, _mm512_sub_pd(to, low));
-        const __m256 b = _mm512_maskz_cvtpd_ps(0xFF, _mm512_sub_pd(to, high));
-        return _mm512_insertf32x8(_mm512_castps256_ps512(a), b, 1);
+    const __m256i self = _mm256_set1_epi32(query.self);
+    const __m256 limit = _mm256_set1_ps(support2);
+    const __m256i lane = _mm256_set_epi32(7, 6, 5, 4, 3, 2, 1, 0);
+    const auto separation = [](const double* from, __mmask8 valid, __m512d to) {
+        return _mm512_maskz_cvtpd_ps(0xFF, _mm512_sub_pd(to, _mm512_maskz_loadu_pd(valid, from)));
     };
     int count = 0;
     for (int r = 0; r < query.ranges; ++r) {
-        for (int k = query.first[r]; k < query.last[r]; k += lanes) {
+        for (int k = query.first[r]; k < query.last[r]; k += width) {
             const int left = query.last[r] - k;
-            const auto valid = static_cast<__mmask16>(left < lanes ? (1U << left) - 1U : 0xFFFFU);
-            const __m512i index = _mm512_add_epi32(_mm512_set1_epi32(k), lane);
-            const __m512 sx = separation(x, k, valid, px);
-            const __m512 sy = separation(y, k, valid, py);
-            const __m512 r2 = _mm512_add_ps(_mm512_mul_ps(sx, sx), _mm512_mul_ps(sy, sy));
-            const __mmask16 near =
-                _mm512_mask_cmp_ps_mask(valid, r2, limit, _CMP_LT_OQ) & _mm512_cmpneq_epi32_mask(index, self);
-            _mm512_storeu_si512(column + count, _mm512_maskz_compress_epi32(near, index));
-            _mm512_storeu_ps(dx + count, _mm512_maskz_compress_ps(near, sx));
-            _mm512_storeu_ps(dy + count, _mm512_maskz_compress_ps(near, sy));
+            const auto valid = static_cast<__mmask8>(left < width ? (1U << left) - 1U : 0xFFU);
+            const __m256i index = _mm256_add_epi32(_mm256_set1_epi32(k), lane);
+            const __m256 sx = separation(x + k, valid, px);
+            const __m256 sy = separation(y + k, valid, py);
+            const __m256 r2 = _mm256_add_ps(_mm256_mul_ps(sx, sx), _mm256_mul_ps(sy, sy));
+            const auto near = static_cast<__mmask8>(_mm256_mask_cmp_ps_mask(valid, r2, limit, _CMP_LT_OQ) &
+                                                    _mm256_cmpneq_epi32_mask(index, self));
+            _mm256_storeu_si256(reinterpret_cast<__m256i*>(column + count),
+                                _mm256_maskz_compress_epi32(near, index));
+            _mm256_storeu_ps(dx + count, _mm256_maskz_compress_ps(near, sx));
+            _mm256_storeu_ps(dy + count, _mm256_maskz_compress_ps(near, sy));
             count += __builtin_popcount(near);
         }
     }
@@ -293,7 +294,7 @@ void slice_geometry(const SliceGeometry& slice, const GeometryConstants& constan
 
 constexpr PairKernels table() {
     return {stress_divergence, pressure_gradient, velocity_divergence, velocity_gradient, update_stress,
-            rotate_stress,     stiffness_product, select_near,         pair_geometry,     slice_geometry};
+            rotate_stress,     pressure_product,  select_near,         pair_geometry,     slice_geometry};
 }
 
 }  // namespace

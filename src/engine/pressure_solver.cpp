@@ -33,15 +33,17 @@ void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& w
     set_all(diagonal_, n.nodes, 1.0);
     set_all(free_, n.nodes, char{0});
     const bool all_awake = n.resting.empty();
-    for (int i = 0; i < soil.count; ++i) {
-        pressure_[i] = soil.pressure[i];
-        if (!all_awake && n.rests(i)) continue;
-        free_[i] = 1;
-        diagonal_[i] = n.stiffness_sum[i];
-        if (n.density[i] < surface_density) {
-            diagonal_[i] += std::max(0.0, discretisation_.lattice_stiffness - n.stiffness_sum[i]);
+    for_each_piece(soil.count, threads_, [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
+            pressure_[i] = soil.pressure[i];
+            if (!all_awake && n.rests(i)) continue;
+            free_[i] = 1;
+            diagonal_[i] = n.stiffness_sum[i];
+            if (n.density[i] < surface_density) {
+                diagonal_[i] += std::max(0.0, discretisation_.lattice_stiffness - n.stiffness_sum[i]);
+            }
         }
-    }
+    });
     for (int a = 0; a < n.active_count(); ++a) {
         const int node = n.first_boundary + a;
         const int b = n.active[a];
@@ -72,12 +74,12 @@ void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& w
 void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
                                          const std::vector<double>& vy, const PressureStep& step) {
     set_all(right_hand_side_, n.nodes, 0.0);
-    set_all(kept_, n.nodes, 0.0);
-    set_all(gradient_x_, n.nodes, 0.0);
-    set_all(gradient_y_, n.nodes, 0.0);
+    for (auto* field : {&kept_, &gradient_x_, &gradient_y_}) fit(*field, n.nodes);
     set_all(trial_velocity_, n.nodes, FloatPair{});
     set_all(product_, n.nodes, 0.0);
-    for (int i = 0; i < n.nodes; ++i) kept_[i] = step.memory * pressure_[i];
+    for_each_piece(n.nodes, threads_, [&](int first, int last) {
+        for (int i = first; i < last; ++i) kept_[i] = step.memory * pressure_[i];
+    });
     multiply(n, wall, pressure_, product_);
     const double dt = step.dt;
     const double scale = dt / discretisation_.density;
@@ -140,11 +142,8 @@ double PressureSolver::multiply(const Neighbours& n, const Wall& wall, const std
         double sum = 0.0;
         if (b < blocks) {
             for_each_awake_run(n.blocks[b], n, [&](const PairRows& rows, int last) {
-                pair_kernels().stiffness_product(rows, x.data(), out.data());
-                for (int i = rows.first_row; i < last; ++i) {
-                    out[i] = diagonal_[i] * x[i] - out[i];
-                    sum += x[i] * out[i];
-                }
+                pair_kernels().pressure_product(rows, diagonal_.data(), x.data(), out.data());
+                for (int i = rows.first_row; i < last; ++i) sum += x[i] * out[i];
             });
         } else {
             const int first = (b - blocks) * boundary_chunk;
@@ -195,7 +194,8 @@ double PressureSolver::precondition() {
 /// Conjugate gradients from the pressure at hand, whose product with A is at hand as well.
 PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
     PressureSolve result;
-    for (auto* field : {&residual_, &correction_, &direction_}) set_all(*field, n.nodes, 0.0);
+    for (auto* field : {&residual_, &correction_}) fit(*field, n.nodes);
+    set_all(direction_, n.nodes, 0.0);
     const double norm =
         std::sqrt(sum_nodes([&](int i) { return right_hand_side_[i] * right_hand_side_[i]; }));
     const double target = std::max(tolerance_ * norm, negligible_);

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "engine/bed_shape.h"
+#include "engine/node_array.h"
 #include "engine/operators.h"
 #include "engine/parallel.h"
 #include "scene/rest_check.h"
@@ -271,21 +272,36 @@ void Simulation::move(double dt) {
     work_.highest_density = std::max(work_.highest_density, highest);
 }
 
+BedLine::Nearest Simulation::nearest_bed(int i) const {
+    const int boundary = neighbours_.nearest_boundary[i];
+    return boundary < 0 ? bed_.below(soil_.x[i], soil_.y[i])
+                        : bed_.nearest({soil_.x[i], soil_.y[i]}, wall_.segment[boundary], 8);
+}
+
+/// Of all soil; nothing for what rests. What the bed gave in the last step is forgotten.
+void Simulation::find_bed_distance() {
+    fit(bed_distance_, soil_.count);
+    const bool all_awake = neighbours_.resting.empty();
+    for_each_piece(soil_.count, threads_, [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
+            bed_distance_[i] = 0.0;
+            if (!all_awake && neighbours_.rests(i)) continue;
+            soil_.contact_x[i] = soil_.contact_y[i] = 0.0;
+            bed_distance_[i] = nearest_bed(i).distance;
+        }
+    });
+}
+
 /// No particle beyond the bed line: it is put back by at most half a spacing, and its velocity into the bed
 /// ends. Says how many were driven in and how deep the deepest still is.
 StepFacts Simulation::guard_wall(double dt) {
     StepFacts facts;
     // A grain that lies on the line without a neighbour to carry it falls this far from rest: no defect.
     const double harmless = 0.01 * discretisation_.spacing + run_.gravity * dt * dt;
-    const bool all_awake = neighbours_.resting.empty();
+    find_bed_distance();
     for (int i = 0; i < soil_.count; ++i) {
-        if (!all_awake && neighbours_.rests(i)) continue;
-        soil_.contact_x[i] = soil_.contact_y[i] = 0.0;
-        const int boundary = neighbours_.nearest_boundary[i];
-        const BedLine::Nearest near =
-            boundary < 0 ? bed_.below(soil_.x[i], soil_.y[i])
-                         : bed_.nearest({soil_.x[i], soil_.y[i]}, wall_.segment[boundary], 8);
-        if (near.distance >= 0.0) continue;
+        if (bed_distance_[i] >= 0.0) continue;
+        const BedLine::Nearest near = nearest_bed(i);
         const bool in_company = neighbours_.company[i] == 1.0F;
         // A grain alone is carried here, and may have come a whole spacing in the step.
         const double back =

@@ -88,7 +88,8 @@ void StressDivergence(benchmark::State& state) {
     std::vector<FloatPair> stress(f.n.nodes, FloatPair{1.0F, 0.5F});
     std::vector<FloatPair> force(f.n.nodes);
     std::size_t pairs = 0;
-    for (const PairBlock& block : f.n.blocks) pairs += block.column.size();
+    for (const PairBlock& block : f.n.blocks)
+        pairs += static_cast<std::size_t>(block.offset[slices_per_block]);
     for (auto _ : state) {
         for (const PairBlock& block : f.n.blocks)
             pair_kernels().stress_divergence(pair_rows(block, f.n), stress.data(), force.data());
@@ -106,7 +107,7 @@ void PressureProduct(benchmark::State& state) {
     std::vector<double> out(f.n.nodes);
     for (auto _ : state) {
         for (const PairBlock& block : f.n.blocks)
-            pair_kernels().stiffness_product(pair_rows(block, f.n), x.data(), out.data());
+            pair_kernels().pressure_product(pair_rows(block, f.n), x.data(), x.data(), out.data());
         benchmark::ClobberMemory();
     }
     count_per_particle(state, f.soil.count);
