@@ -21,8 +21,8 @@ Friction::Friction(const Discretisation& discretisation, YieldStrength yield, co
 void Friction::load(const Neighbours& n, const Soil& soil, const Wall& wall) {
     for (auto* field : {&pressure_x_, &pressure_y_}) fit(*field, n.nodes);
     for (auto* field : {&ahead_, &base_velocity_, &force_}) fit(*field, n.nodes);
-    for (auto* field : {&stress_, &velocity_}) set_all(*field, n.nodes, FloatPair{});
-    set_all(pressure_, n.nodes, 0.0);
+    for (auto* field : {&stress_, &velocity_}) set_rest(*field, soil.count, n.nodes, FloatPair{});
+    set_rest(pressure_, soil.count, n.nodes, 0.0);
     fit(strength_, n.nodes);
     if (yield_.cohesive())
         for (int c = 0; c < 4; ++c) set_all(no_correction_[c], n.nodes, c == 0 || c == 3 ? 1.0F : 0.0F);
@@ -136,21 +136,23 @@ void Friction::project(const Neighbours& n, double dt, double momentum) {
     update.momentum = static_cast<float>(momentum);
     update.stress = stress_.data();
     update.ahead = ahead_.data();
-    for_each_awake(n, threads_,
-                   [&](const PairRows& rows, int) { pair_kernels().update_stress(rows, update); });
-    for (int a = 0; a < n.active_count(); ++a) {
-        const int i = n.first_boundary + a;
-        const VelocityGradient g =
-            boundary_velocity_gradient(n, a, velocity_.data()).corrected(correction(n), i);
-        const double trial_xx = ahead_[i].x + step * g.exx();
-        const double trial_xy = ahead_[i].y + step * g.exy();
-        const double size = std::sqrt(trial_xx * trial_xx + trial_xy * trial_xy);
-        const double scale = size > strength_[i] ? strength_[i] / size : 1.0;
-        const FloatPair bound{static_cast<float>(scale * trial_xx), static_cast<float>(scale * trial_xy)};
-        ahead_[i] = {bound.x + update.momentum * (bound.x - stress_[i].x),
-                     bound.y + update.momentum * (bound.y - stress_[i].y)};
-        stress_[i] = bound;
-    }
+    for_each_awake_and_boundary(
+        n, threads_, [&](const PairRows& rows, int) { pair_kernels().update_stress(rows, update); },
+        [&](int a) { project_boundary(n, a, step, update.momentum); });
+}
+
+/// As update_stress, at active boundary particle `a`.
+void Friction::project_boundary(const Neighbours& n, int a, double step, float momentum) {
+    const int i = n.first_boundary + a;
+    const VelocityGradient g = boundary_velocity_gradient(n, a, velocity_.data()).corrected(correction(n), i);
+    const double trial_xx = ahead_[i].x + step * g.exx();
+    const double trial_xy = ahead_[i].y + step * g.exy();
+    const double size = std::sqrt(trial_xx * trial_xx + trial_xy * trial_xy);
+    const double scale = size > strength_[i] ? strength_[i] / size : 1.0;
+    const FloatPair bound{static_cast<float>(scale * trial_xx), static_cast<float>(scale * trial_xy)};
+    ahead_[i] = {bound.x + momentum * (bound.x - stress_[i].x),
+                 bound.y + momentum * (bound.y - stress_[i].y)};
+    stress_[i] = bound;
 }
 
 /// Eq. 8 from the velocity at hand.
@@ -173,8 +175,7 @@ void Friction::final_velocity(const Neighbours& n, const Soil& soil, const Frict
                               std::vector<double>& vx, std::vector<double>& vy) {
     const double scale = step.dt / discretisation_.density;
     const Vec2 gain = step.dt * step.body;
-    set_all(vx, n.nodes, 0.0);
-    set_all(vy, n.nodes, 0.0);
+    for (auto* field : {&vx, &vy}) set_beyond_awake(n, *field, 0.0);
     for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
         pair_kernels().stress_divergence(rows, stress_.data(), force_.data());
         for (int i = rows.first_row; i < last; ++i) {

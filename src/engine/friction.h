@@ -54,6 +54,7 @@ class Friction {
     void trial_velocity(const Neighbours& n, double dt);
     [[nodiscard]] const std::array<std::vector<float>, 4>& correction(const Neighbours& n) const;
     void project(const Neighbours& n, double dt, double momentum);
+    void project_boundary(const Neighbours& n, int a, double step, float momentum);
     void yield_from_strain_rate(const Neighbours& n);
     void final_velocity(const Neighbours& n, const Soil& soil, const FrictionStep& step,
                         std::vector<double>& vx, std::vector<double>& vy);

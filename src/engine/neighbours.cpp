@@ -135,13 +135,12 @@ void NeighbourSearch::sort(Soil& soil) {
 void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
     n.soil_count = soil.count;
     n.first_boundary = soil.padded();
-    n.stiffness_sum.assign(soil.padded(), 0.0);
-    n.surface_x.assign(soil.padded(), 0.0);
-    n.surface_y.assign(soil.padded(), 0.0);
-    n.company.assign(soil.padded(), 1.0F);
-    n.nearest_boundary.assign(soil.padded(), -1);
-    n.density.assign(soil.padded(), 1.0);
-    for (auto& component : n.correction) component.assign(soil.padded(), 0.0F);
+    for (auto* field : {&n.stiffness_sum, &n.surface_x, &n.surface_y})
+        set_rest(*field, soil.count, soil.padded(), 0.0);
+    set_rest(n.density, soil.count, soil.padded(), 1.0);
+    set_rest(n.nearest_boundary, soil.count, soil.padded(), -1);
+    fit(n.company, soil.padded());
+    for (auto& component : n.correction) set_rest(component, soil.count, soil.padded(), 0.0F);
     const int blocks = (soil.padded() + rows_per_block - 1) / rows_per_block;
     n.blocks.resize(blocks);
     for_each_block(blocks, threads_, [&](int b) { find_block(soil, wall, n, b); });
@@ -158,6 +157,7 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
     for (int slice = 0; slice < slices_per_block; ++slice) {
         const int first_row = block.first_row + slice * lanes;
         const bool rests = first_row < soil.count && n.rests(first_row);  // the last block has fewer rows
+        if (first_row < soil.count) std::fill_n(&n.company[first_row], lanes, 1.0F);
         int soil_width = 0;
         std::size_t width = 0;
         for (int l = 0; l < lanes; ++l) {
@@ -203,8 +203,11 @@ void NeighbourSearch::fade_lone_grains(Neighbours& n, int first_row, const Slice
 }
 
 void NeighbourSearch::write_resting_sums(Neighbours& n, int i, const WallRow& wall) const {
+    n.density[i] = 1.0;
+    n.stiffness_sum[i] = n.surface_x[i] = n.surface_y[i] = 0.0;
     n.nearest_boundary[i] = wall.nearest_boundary;
     n.correction[0][i] = n.correction[3][i] = 1.0F;  // the identity, as for a lonely particle
+    n.correction[1][i] = n.correction[2][i] = 0.0F;
 }
 
 void NeighbourSearch::write_sums(Neighbours& n, int i, const SliceSums& soil, int lane,

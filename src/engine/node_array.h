@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -17,6 +18,14 @@ template <class T>
 void fit(std::vector<T>& array, std::size_t size) {
     make_room(array, size);
     array.resize(size);
+}
+
+/// Gives an array `size` elements, those from `first` on of one value; the ones before are all written before
+/// they are read.
+template <class T>
+void set_rest(std::vector<T>& array, std::size_t first, std::size_t size, const T& value) {
+    fit(array, size);
+    std::fill(array.begin() + static_cast<std::ptrdiff_t>(first), array.end(), value);
 }
 
 /// Gives an array `size` elements of one value.

@@ -13,7 +13,7 @@ PairRows pair_rows(const PairBlock& block, const Neighbours& n) {
 }
 
 void soil_velocities(const Neighbours& n, const Soil& soil, std::vector<FloatPair>& velocity) {
-    set_all(velocity, n.nodes, FloatPair{});
+    set_rest(velocity, soil.count, n.nodes, FloatPair{});
     for (int i = 0; i < soil.count; ++i)
         velocity[i] = {static_cast<float>(soil.vx[i]), static_cast<float>(soil.vy[i])};
 }

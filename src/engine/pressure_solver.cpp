@@ -14,7 +14,6 @@ constexpr int max_iterations = 1000;
 constexpr double coarse_cell_spacings = 4.0;
 constexpr double coarse_scale = 1.5;  // makes up for the piecewise constant coarse space
 constexpr int steps_per_coarse_build = 15;
-constexpr int boundary_chunk = 64;
 
 }  // namespace
 
@@ -29,17 +28,16 @@ PressureSolver::PressureSolver(const Discretisation& discretisation, double grav
       threads_(threads) {}
 
 void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& wall) {
-    set_all(pressure_, n.nodes, 0.0);
-    set_all(diagonal_, n.nodes, 1.0);
-    set_all(free_, n.nodes, char{0});
+    set_rest(pressure_, soil.count, n.nodes, 0.0);
+    set_rest(diagonal_, soil.count, n.nodes, 1.0);
+    set_rest(free_, soil.count, n.nodes, char{0});
     const bool all_awake = n.resting.empty();
     for_each_piece(soil.count, threads_, [&](int first, int last) {
         for (int i = first; i < last; ++i) {
             pressure_[i] = soil.pressure[i];
-            if (!all_awake && n.rests(i)) continue;
-            free_[i] = 1;
-            diagonal_[i] = n.stiffness_sum[i];
-            if (n.density[i] < surface_density) {
+            free_[i] = all_awake || !n.rests(i) ? 1 : 0;
+            diagonal_[i] = free_[i] ? n.stiffness_sum[i] : 1.0;
+            if (free_[i] && n.density[i] < surface_density) {
                 diagonal_[i] += std::max(0.0, discretisation_.lattice_stiffness - n.stiffness_sum[i]);
             }
         }
@@ -73,10 +71,9 @@ void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& w
 /// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n. On return product = A p^n.
 void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
                                          const std::vector<double>& vy, const PressureStep& step) {
-    set_all(right_hand_side_, n.nodes, 0.0);
     for (auto* field : {&kept_, &gradient_x_, &gradient_y_}) fit(*field, n.nodes);
-    set_all(trial_velocity_, n.nodes, FloatPair{});
-    set_all(product_, n.nodes, 0.0);
+    set_beyond_awake(n, trial_velocity_, FloatPair{});
+    for (auto* field : {&right_hand_side_, &product_}) set_beyond_awake(n, *field, 0.0);
     for_each_piece(n.nodes, threads_, [&](int first, int last) {
         for (int i = first; i < last; ++i) kept_[i] = step.memory * pressure_[i];
     });
@@ -112,7 +109,7 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
 }
 
 void PressureSolver::refresh_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall) {
-    set_all(aggregate_, n.nodes, -1);
+    set_rest(aggregate_, soil.count, n.nodes, -1);
     const bool worn = steps_since_build_ >= steps_per_coarse_build ||
                       last_iterations_ > iterations_after_build_ + iterations_after_build_ / 2 + 3;
     if (wall_aggregate_.empty() || worn) {
