@@ -247,7 +247,8 @@ TEST_F(ProgramTest, RunsACaseAndStoresIt) {
 }
 
 TEST_F(ProgramTest, SaysTheAnswerInWordsOnStandardOutputAndTheRestOnStandardError) {
-    const Outcome outcome = runout({"run", "case.toml"});
+    // Fine enough that it takes a while, which is when progress is told.
+    const Outcome outcome = runout({"run", "case.toml", "--resolution", "30"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_FALSE(outcome.out.empty());
     EXPECT_FALSE(contains(outcome.out, "runout: info"));
