@@ -1,5 +1,4 @@
-// The engine's parts against exact values: kernel, bed line, wall, pairs, operators, packing, pressure
-// equation.
+// The engine's parts against exact values: kernel, bed line, wall, operators, packing, pressure equation.
 
 #include <gtest/gtest.h>
 
@@ -7,50 +6,16 @@
 #include <numeric>
 #include <span>
 
-#include "engine/neighbours.h"
 #include "engine/operators.h"
 #include "engine/packing.h"
 #include "engine/pressure_solver.h"
+#include "filled_box.h"
 #include "scenes.h"
 
 namespace runout {
 namespace {
 
-constexpr double spacing = 0.005;
-constexpr double density = 2000.0;
-
-/// Square block of n x n lattice points with its lower left cell at the origin.
-Soil lattice(int n) {
-    std::vector<double> x;
-    std::vector<double> y;
-    for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) {
-            x.push_back((i + 0.5) * spacing);
-            y.push_back((j + 0.5) * spacing);
-        }
-    }
-    return soil_at(x, y);
-}
-
-/// A lattice in a box with open top: soil, wall and who is near whom.
-struct Filled {
-    Discretisation d = make_discretisation(spacing, 1.3, density);
-    Soil soil;
-    Wall wall;
-    Neighbours n;
-
-    explicit Filled(int cells)
-        : soil(lattice(cells)),
-          wall(make_wall(BedLine({{0, 2 * cells * spacing},
-                                  {0, 0},
-                                  {cells * spacing, 0},
-                                  {cells * spacing, 2 * cells * spacing}}),
-                         d)) {
-        NeighbourSearch search(d, 1);
-        search.sort(soil);
-        search.find(soil, wall, n);
-    }
-};
+using namespace filled_box;
 
 TEST(Kernel, IntegratesToOne) {
     const WendlandKernel kernel(1.0);
@@ -117,47 +82,6 @@ TEST(WallTest, EveryDummyHasItsNearestBoundaryParticle) {
         double least = 1e300;
         for (int b = 0; b < f.wall.boundary_count; ++b) least = std::min(least, distance(b));
         EXPECT_NEAR(distance(f.wall.group[q]), least, 1e-12);
-    }
-}
-
-TEST(NeighboursTest, FindsEveryPairThatBruteForceFinds) {
-    Filled f(15);
-    std::vector<int> row_length(f.soil.count, 0);
-    for (const PairBlock& block : f.n.blocks) {
-        for (int s = 0; s < slices_per_block; ++s) {
-            for (int e = block.offset[s]; e < block.offset[s + 1]; ++e) {
-                const int i = block.first_row + s * lanes + (e - block.offset[s]) % lanes;
-                if (block.stiffness[e] > 0.0F && block.column[e] < f.n.first_boundary) ++row_length[i];
-            }
-        }
-    }
-    const double support = 2.0 * f.d.smoothing_length;
-    for (int i = 0; i < f.soil.count; ++i) {
-        int expected = 0;
-        for (int j = 0; j < f.soil.count; ++j) {
-            if (j != i && std::hypot(f.soil.x[i] - f.soil.x[j], f.soil.y[i] - f.soil.y[j]) < support)
-                ++expected;
-        }
-        EXPECT_EQ(row_length[i], expected) << "particle " << i;
-    }
-}
-
-TEST(NeighboursTest, GrainsThatFlyAloneHaveTheDensityOfOne) {
-    // More of them than stand in a slice of rows: none of its rows has a pair.
-    const Discretisation d = make_discretisation(spacing, 1.3, density);
-    std::vector<double> x;
-    for (int i = 0; i < 2 * lanes; ++i) x.push_back(i * 10 * spacing);
-    Soil soil = soil_at(x, std::vector<double>(x.size(), 1.0));
-    const Wall wall = make_wall(BedLine({{-1, -1}, {1, -1}}), d);
-    NeighbourSearch search(d, 1);
-    Neighbours n;
-    search.sort(soil);
-    search.find(soil, wall, n);
-    const double alone = WendlandKernel(d.smoothing_length).value(0.0) / d.lattice_sum;
-    EXPECT_LT(alone, 0.6);
-    for (int i = 0; i < soil.count; ++i) {
-        EXPECT_DOUBLE_EQ(n.density[i], alone);
-        EXPECT_EQ(n.correction[0][i], 1.0F);
     }
 }
 

@@ -1,0 +1,47 @@
+#pragma once
+
+// A block of soil on its lattice in a box with open top, for tests of the engine's parts.
+
+#include <vector>
+
+#include "engine/neighbours.h"
+
+namespace runout::filled_box {
+
+inline constexpr double spacing = 0.005;
+inline constexpr double density = 2000.0;
+
+/// Square block of n x n lattice points with its lower left cell at the origin.
+inline Soil lattice(int n) {
+    std::vector<double> x;
+    std::vector<double> y;
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            x.push_back((i + 0.5) * spacing);
+            y.push_back((j + 0.5) * spacing);
+        }
+    }
+    return soil_at(x, y);
+}
+
+/// A lattice in a box with open top: soil, wall and who is near whom.
+struct Filled {
+    Discretisation d = make_discretisation(spacing, 1.3, density);
+    Soil soil;
+    Wall wall;
+    Neighbours n;
+
+    explicit Filled(int cells)
+        : soil(lattice(cells)),
+          wall(make_wall(BedLine({{0, 2 * cells * spacing},
+                                  {0, 0},
+                                  {cells * spacing, 0},
+                                  {cells * spacing, 2 * cells * spacing}}),
+                         d)) {
+        NeighbourSearch search(d, 1);
+        search.sort(soil);
+        search.find(soil, wall, n);
+    }
+};
+
+}  // namespace runout::filled_box

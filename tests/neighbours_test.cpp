@@ -1,0 +1,115 @@
+// Who is near whom: against brute force, and against a search that starts anew.
+
+#include "engine/neighbours.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "filled_box.h"
+
+namespace runout {
+namespace {
+
+using namespace filled_box;
+
+TEST(NeighboursTest, FindsEveryPairThatBruteForceFinds) {
+    Filled f(15);
+    std::vector<int> row_length(f.soil.count, 0);
+    for (const PairBlock& block : f.n.blocks) {
+        for (int s = 0; s < slices_per_block; ++s) {
+            for (int e = block.offset[s]; e < block.offset[s + 1]; ++e) {
+                const int i = block.first_row + s * lanes + (e - block.offset[s]) % lanes;
+                if (block.stiffness[e] > 0.0F && block.column[e] < f.n.first_boundary) ++row_length[i];
+            }
+        }
+    }
+    const double support = 2.0 * f.d.smoothing_length;
+    for (int i = 0; i < f.soil.count; ++i) {
+        int expected = 0;
+        for (int j = 0; j < f.soil.count; ++j) {
+            if (j != i && std::hypot(f.soil.x[i] - f.soil.x[j], f.soil.y[i] - f.soil.y[j]) < support)
+                ++expected;
+        }
+        EXPECT_EQ(row_length[i], expected) << "particle " << i;
+    }
+}
+
+TEST(NeighboursTest, GrainsThatFlyAloneHaveTheDensityOfOne) {
+    // More of them than stand in a slice of rows: none of its rows has a pair.
+    const Discretisation d = make_discretisation(spacing, 1.3, density);
+    std::vector<double> x;
+    for (int i = 0; i < 2 * lanes; ++i) x.push_back(i * 10 * spacing);
+    Soil soil = soil_at(x, std::vector<double>(x.size(), 1.0));
+    const Wall wall = make_wall(BedLine({{-1, -1}, {1, -1}}), d);
+    NeighbourSearch search(d, 1);
+    Neighbours n;
+    search.sort(soil);
+    search.find(soil, wall, n);
+    const double alone = WendlandKernel(d.smoothing_length).value(0.0) / d.lattice_sum;
+    EXPECT_LT(alone, 0.6);
+    for (int i = 0; i < soil.count; ++i) {
+        EXPECT_DOUBLE_EQ(n.density[i], alone);
+        EXPECT_EQ(n.correction[0][i], 1.0F);
+    }
+}
+
+/// What a block says of its rows, without the room it keeps for longer ones.
+std::vector<double> entries(const PairBlock& block) {
+    std::vector<double> all(std::begin(block.offset), std::end(block.offset));
+    for (int e = 0; e < block.offset[slices_per_block]; ++e) {
+        for (const double value : {static_cast<double>(block.column[e]), static_cast<double>(block.gx[e]),
+                                   static_cast<double>(block.gy[e]), static_cast<double>(block.stiffness[e])})
+            all.push_back(value);
+    }
+    for (const WallPair& pair : block.wall_pairs) {
+        for (const double value : {static_cast<double>(pair.row), static_cast<double>(pair.boundary),
+                                   static_cast<double>(pair.slot), static_cast<double>(pair.own_gx)})
+            all.push_back(value);
+    }
+    return all;
+}
+
+TEST(NeighboursTest, MemoryOfACrowdedStepLeavesNoTraceInASparseOne) {
+    Filled f(20);
+    NeighbourSearch search(f.d, 1);
+    Neighbours reused;
+    search.sort(f.soil);
+    search.find(f.soil, f.wall, reused);
+    // Farther apart, and off one wall: every row is shorter, and some boundary particles have no soil left.
+    for (int i = 0; i < f.soil.count; ++i) {
+        f.soil.x[i] = 1.4 * f.soil.x[i] + 6 * spacing;
+        f.soil.y[i] *= 1.4;
+    }
+    search.sort(f.soil);
+    search.find(f.soil, f.wall, reused);
+    Neighbours fresh;
+    NeighbourSearch anew(f.d, 1);
+    anew.sort(f.soil);
+    anew.find(f.soil, f.wall, fresh);
+
+    EXPECT_FALSE(reused.left.empty());
+    EXPECT_EQ(reused.active, fresh.active);
+    EXPECT_EQ(reused.nodes, fresh.nodes);
+    ASSERT_EQ(reused.blocks.size(), fresh.blocks.size());
+    for (std::size_t b = 0; b < fresh.blocks.size(); ++b)
+        EXPECT_EQ(entries(reused.blocks[b]), entries(fresh.blocks[b])) << "block " << b;
+    const auto same = [&](const auto& a, const auto& b, int count) {
+        return std::equal(a.begin(), a.begin() + count, b.begin(), b.begin() + count);
+    };
+    EXPECT_TRUE(same(reused.density, fresh.density, fresh.nodes));
+    for (int c = 0; c < 4; ++c)
+        EXPECT_TRUE(same(reused.correction[c], fresh.correction[c], fresh.nodes)) << "component " << c;
+    EXPECT_TRUE(same(reused.stiffness_sum, fresh.stiffness_sum, f.soil.padded()));
+    EXPECT_TRUE(same(reused.surface_x, fresh.surface_x, f.soil.padded()));
+    EXPECT_TRUE(same(reused.surface_y, fresh.surface_y, f.soil.padded()));
+    EXPECT_TRUE(same(reused.nearest_boundary, fresh.nearest_boundary, f.soil.padded()));
+    EXPECT_TRUE(same(reused.company, fresh.company, f.soil.count));
+    EXPECT_EQ(reused.boundary_start, fresh.boundary_start);
+    EXPECT_EQ(reused.boundary_soil, fresh.boundary_soil);
+}
+
+}  // namespace
+}  // namespace runout
