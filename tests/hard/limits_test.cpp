@@ -61,6 +61,30 @@ TEST(Limits, HeapsBelowReposeStandForThreeHundredFallTimes) {
     }
 }
 
+/// Nothing stops such a mass on level ground: it leaves the section, and the run says so.
+TEST(Limits, MassesWithoutFrictionLeaveTheSectionWithEveryInvariantKept) {
+    for (const bool base_only : {false, true}) {
+        for (const SourceKind source :
+             {SourceKind::rectangle, SourceKind::column, SourceKind::falling_block}) {
+            SCOPED_TRACE(to_string(source) + (base_only ? ", no friction of the base" : ", no friction"));
+            StressPoint p = plain_hard_point();
+            p.source_kind = static_cast<double>(source) + 0.5;
+            Scene scene = stress_scene(p, "frictionless");
+            if (base_only)
+                scene.effects.base_friction = BaseFriction{0.0};
+            else
+                scene.material.friction_angle = 0.0;
+            Simulation simulation(scene);
+            while (simulation.status() == RunStatus::running) simulation.step();
+            EXPECT_EQ(simulation.status(), RunStatus::left_section) << simulation.status_detail();
+            for (int k = 0; k < static_cast<int>(Invariant::count); ++k)
+                EXPECT_LE(worst(simulation, static_cast<Invariant>(k)),
+                          simulation.invariants()[static_cast<std::size_t>(k)].limit)
+                    << to_string(static_cast<Invariant>(k));
+        }
+    }
+}
+
 /// 6 deg below repose: the lattice finds its rest, and then it stands.
 TEST(FullLimits, TwoHundredThousandParticlesComeToRest) {
     Simulation simulation(scenes::heap(20.0, 5.0, 30.0, 0.0131));
