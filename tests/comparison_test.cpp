@@ -148,7 +148,8 @@ class ComparisonTest : public StoreTest {
         result.measures.run_out_m = 12;
         result.measures.reach_angle_deg = degrees(std::atan(10.0 / 27.0));
         result.measures.source_area_m2 = 30;
-        return read_run_data(Store(path, Store::Mode::read), add(scene, result));
+        const long run = add(scene, result);  // the file is there only then
+        return read_run_data(Store(path, Store::Mode::read), run);
     }
 };
 

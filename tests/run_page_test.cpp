@@ -26,7 +26,8 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 class RunPageTest : public StoreTest {
   protected:
     RunData stored(const Scene& scene, const RunResult& result) {
-        return read_run_data(Store(path, Store::Mode::read), add(scene, result));
+        const long run = add(scene, result);  // the file is there only then
+        return read_run_data(Store(path, Store::Mode::read), run);
     }
     RunData stored() { return stored(example_scene(), example_result()); }
 };
