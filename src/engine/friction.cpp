@@ -6,6 +6,7 @@
 #include "engine/node_array.h"
 #include "engine/operators.h"
 #include "engine/parallel.h"
+#include "engine/row_passes.h"
 #include "engine/strain_rate.h"
 
 namespace runout {
@@ -81,42 +82,34 @@ void Friction::save(const Neighbours& n, Soil& soil, Wall& wall) const {
     }
 }
 
-/// On return base velocity = v^n + dt (g - grad p / rho): the last known pressure included.
-void Friction::apply_pressure(const Neighbours& n, const Soil& soil, const FrictionStep& step) {
+/// Base velocity = v^n + dt (g - grad p / rho): the last known pressure included. The stress turns with the
+/// soil (Jaumann); |s| is kept.
+void Friction::start_rows(const PairRows& rows, int last, const Neighbours& n, const Soil& soil,
+                          const FrictionStep& step) {
     const double scale = step.dt / discretisation_.density;
     const Vec2 gain = step.dt * step.body;
-    for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
-        pair_kernels().pressure_gradient(rows, pressure_.data(), pressure_x_.data(), pressure_y_.data());
-        for (int i = rows.first_row; i < last; ++i) {
-            base_velocity_[i] = {static_cast<float>(soil.vx[i] - scale * pressure_x_[i] + gain.x() +
-                                                    step.dt * soil.contact_x[i]),
-                                 static_cast<float>(soil.vy[i] - scale * pressure_y_[i] + gain.y() +
-                                                    step.dt * soil.contact_y[i])};
-        }
-    });
-}
-
-/// The stress turns with the soil (Jaumann); |s| is kept.
-void Friction::rotate(const Neighbours& n, double dt) {
+    pair_kernels().pressure_gradient(rows, pressure_.data(), pressure_x_.data(), pressure_y_.data());
+    for (int i = rows.first_row; i < last; ++i) {
+        base_velocity_[i] = {
+            static_cast<float>(soil.vx[i] - scale * pressure_x_[i] + gain.x() + step.dt * soil.contact_x[i]),
+            static_cast<float>(soil.vy[i] - scale * pressure_y_[i] + gain.y() + step.dt * soil.contact_y[i])};
+    }
     StressRotation rotation;
     rotation.velocity = velocity_.data();
     for (int c = 0; c < 4; ++c) rotation.correction[c] = n.correction[c].data();
-    rotation.dt = static_cast<float>(dt);
+    rotation.dt = static_cast<float>(step.dt);
     rotation.stress = stress_.data();
-    for_each_awake(n, threads_,
-                   [&](const PairRows& rows, int) { pair_kernels().rotate_stress(rows, rotation); });
+    pair_kernels().rotate_stress(rows, rotation);
+    std::copy_n(&stress_[rows.first_row], rows.slices * lanes, &ahead_[rows.first_row]);
 }
 
-/// On return v~ = base velocity - dt div(ahead s) / rho.
-void Friction::trial_velocity(const Neighbours& n, double dt) {
+/// v~ = base velocity - dt div(ahead s) / rho.
+void Friction::trial_velocity(const PairRows& rows, int last, double dt) {
     const auto scale = static_cast<float>(dt / discretisation_.density);
-    for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
-        pair_kernels().stress_divergence(rows, ahead_.data(), force_.data());
-        for (int i = rows.first_row; i < last; ++i) {
-            velocity_[i] = {base_velocity_[i].x - scale * force_[i].x,
-                            base_velocity_[i].y - scale * force_[i].y};
-        }
-    });
+    pair_kernels().stress_divergence(rows, ahead_.data(), force_.data());
+    for (int i = rows.first_row; i < last; ++i) {
+        velocity_[i] = {base_velocity_[i].x - scale * force_[i].x, base_velocity_[i].y - scale * force_[i].y};
+    }
 }
 
 /// Of the velocity gradients that stress grows with.
@@ -126,8 +119,7 @@ const std::array<std::vector<float>, 4>& Friction::correction(const Neighbours& 
 
 /// s <- bound(ahead + 2 r e(v~)), then ahead <- s + momentum (s - old s). r = 0.25 rho dl^2 / dt keeps the
 /// iteration stable for the lattice's stiffest mode.
-void Friction::project(const Neighbours& n, double dt, double momentum) {
-    const double step = 0.5 * discretisation_.density * discretisation_.volume() / dt;
+void Friction::project(const PairRows& rows, const Neighbours& n, double step, double momentum) {
     StressUpdate update;
     update.velocity = velocity_.data();
     for (int c = 0; c < 4; ++c) update.correction[c] = correction(n)[c].data();
@@ -136,9 +128,7 @@ void Friction::project(const Neighbours& n, double dt, double momentum) {
     update.momentum = static_cast<float>(momentum);
     update.stress = stress_.data();
     update.ahead = ahead_.data();
-    for_each_awake_and_boundary(
-        n, threads_, [&](const PairRows& rows, int) { pair_kernels().update_stress(rows, update); },
-        [&](int a) { project_boundary(n, a, step, update.momentum); });
+    pair_kernels().update_stress(rows, update);
 }
 
 /// As update_stress, at active boundary particle `a`.
@@ -170,19 +160,54 @@ void Friction::yield_from_strain_rate(const Neighbours& n) {
     }
 }
 
-/// On return v* = v^n + dt (g - div s / rho), eq. 3.
-void Friction::final_velocity(const Neighbours& n, const Soil& soil, const FrictionStep& step,
+/// v* = v^n + dt (g - div s / rho), eq. 3.
+void Friction::final_velocity(const PairRows& rows, int last, const Soil& soil, const FrictionStep& step,
                               std::vector<double>& vx, std::vector<double>& vy) {
     const double scale = step.dt / discretisation_.density;
     const Vec2 gain = step.dt * step.body;
-    for (auto* field : {&vx, &vy}) set_beyond_awake(n, *field, 0.0);
-    for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
-        pair_kernels().stress_divergence(rows, stress_.data(), force_.data());
-        for (int i = rows.first_row; i < last; ++i) {
-            vx[i] = soil.vx[i] - scale * force_[i].x + gain.x();
-            vy[i] = soil.vy[i] - scale * force_[i].y + gain.y();
-        }
-    });
+    pair_kernels().stress_divergence(rows, stress_.data(), force_.data());
+    for (int i = rows.first_row; i < last; ++i) {
+        vx[i] = soil.vx[i] - scale * force_[i].x + gain.x();
+        vy[i] = soil.vy[i] - scale * force_[i].y + gain.y();
+    }
+}
+
+/// Nesterov's sequence.
+void Friction::set_momenta(int iterations) {
+    momenta_.clear();
+    double t = 1.0;
+    for (int k = 0; k < iterations; ++k) {
+        const double next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * t * t));
+        momenta_.push_back((t - 1.0) / next);
+        t = next;
+    }
+}
+
+/// Passes: the start, then for each iteration a trial velocity and a projection, then the final velocity.
+void Friction::iterate(const Neighbours& n, const Soil& soil, const FrictionStep& step,
+                       std::vector<double>& vx, std::vector<double>& vy) {
+    const int iterations = step.iterations > 0 ? step.iterations : iterations_;
+    set_momenta(iterations);
+    const int final_pass = 2 * iterations + 1;
+    const double stress_step = 0.5 * discretisation_.density * discretisation_.volume() / step.dt;
+    const auto projects = [&](int pass) { return pass > 0 && pass % 2 == 0; };
+    const auto momentum = [&](int pass) { return momenta_[pass / 2 - 1]; };
+    for_each_pass(
+        n, final_pass + 1, threads_,
+        [&](int pass, const PairRows& rows, int last) {
+            if (pass == 0) {
+                start_rows(rows, last, n, soil, step);
+            } else if (pass == final_pass) {
+                final_velocity(rows, last, soil, step, vx, vy);
+            } else if (projects(pass)) {
+                project(rows, n, stress_step, momentum(pass));
+            } else {
+                trial_velocity(rows, last, step.dt);
+            }
+        },
+        [&](int pass, int a) {
+            if (projects(pass)) project_boundary(n, a, stress_step, static_cast<float>(momentum(pass)));
+        });
 }
 
 void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const FrictionStep& step,
@@ -192,22 +217,16 @@ void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const Fricti
     if (yield_.depends_on_rate()) find_strain_rate(n, soil, wall, *step.bed);
     yield_.find(n, pressure_, step.pore_pressure != nullptr ? *step.pore_pressure : dry, strain_rate_,
                 strength_);
-    const double dt = step.dt;
+    for (auto* field : {&vx, &vy}) set_beyond_awake(n, *field, 0.0);
     if (scheme_ == FrictionScheme::explicit_) {
         yield_from_strain_rate(n);
+        for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
+            final_velocity(rows, last, soil, step, vx, vy);
+        });
     } else {
-        apply_pressure(n, soil, step);
-        rotate(n, dt);
         ahead_ = stress_;
-        double t = 1.0;  // Nesterov's sequence
-        for (int k = 0; k < (step.iterations > 0 ? step.iterations : iterations_); ++k) {
-            const double next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * t * t));
-            trial_velocity(n, dt);
-            project(n, dt, (t - 1.0) / next);
-            t = next;
-        }
+        iterate(n, soil, step, vx, vy);
     }
-    final_velocity(n, soil, step, vx, vy);
     save(n, soil, wall);
 }
 

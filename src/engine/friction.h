@@ -49,14 +49,17 @@ class Friction {
     void load(const Neighbours& n, const Soil& soil, const Wall& wall);
     void find_strain_rate(const Neighbours& n, const Soil& soil, const Wall& wall, const BedLine& bed);
     void save(const Neighbours& n, Soil& soil, Wall& wall) const;
-    void apply_pressure(const Neighbours& n, const Soil& soil, const FrictionStep& step);
-    void rotate(const Neighbours& n, double dt);
-    void trial_velocity(const Neighbours& n, double dt);
+    void set_momenta(int iterations);
+    void iterate(const Neighbours& n, const Soil& soil, const FrictionStep& step, std::vector<double>& vx,
+                 std::vector<double>& vy);
+    void start_rows(const PairRows& rows, int last, const Neighbours& n, const Soil& soil,
+                    const FrictionStep& step);
+    void trial_velocity(const PairRows& rows, int last, double dt);
     [[nodiscard]] const std::array<std::vector<float>, 4>& correction(const Neighbours& n) const;
-    void project(const Neighbours& n, double dt, double momentum);
+    void project(const PairRows& rows, const Neighbours& n, double step, double momentum);
     void project_boundary(const Neighbours& n, int a, double step, float momentum);
     void yield_from_strain_rate(const Neighbours& n);
-    void final_velocity(const Neighbours& n, const Soil& soil, const FrictionStep& step,
+    void final_velocity(const PairRows& rows, int last, const Soil& soil, const FrictionStep& step,
                         std::vector<double>& vx, std::vector<double>& vy);
 
     Discretisation discretisation_;
@@ -64,6 +67,7 @@ class Friction {
     FrictionScheme scheme_;
     int iterations_;
     int threads_;
+    std::vector<double> momenta_;  ///< of each iteration
 
     // Node arrays, see Neighbours. What is iterated on is in single precision, see PairKernels.
     std::vector<double> pressure_, pressure_x_, pressure_y_;  ///< p and its gradient

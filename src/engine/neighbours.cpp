@@ -46,6 +46,13 @@ struct SliceRows {
     std::array<WallRow, lanes> wall;
 };
 
+/// The columns of a row ascend, as the ranges of the spatial order do.
+void widen_reach(PairBlock& block, const NearList& near) {
+    if (near.count == 0) return;
+    block.lowest = std::min(block.lowest, static_cast<int>(near.column[0]));
+    block.highest = std::max(block.highest, static_cast<int>(near.column[near.count - 1]));
+}
+
 /// Room for a slice. Entries are those of the step before until they are written.
 void grow(PairBlock& block, std::size_t size) {
     if (block.column.size() >= size) return;
@@ -146,6 +153,7 @@ void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
     for_each_block(blocks, threads_, [&](int b) { find_block(soil, wall, n, b); });
     number_boundary(soil, wall, n);
     fill_boundary_rows(wall, soil, n);
+    cutter_.cut(n);
 }
 
 void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours& n, int b) const {
@@ -153,6 +161,8 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
     const PairFinder finder(discretisation_);
     PairBlock& block = n.blocks[b];
     block.first_row = b * rows_per_block;
+    block.lowest = block.first_row;
+    block.highest = std::min(block.first_row + rows_per_block, soil.count) - 1;
     block.wall_pairs.clear();
     for (int slice = 0; slice < slices_per_block; ++slice) {
         const int first_row = block.first_row + slice * lanes;
@@ -165,7 +175,10 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
             rows.wall[l].merged.clear();
             const int i = first_row + l;
             if (i >= soil.count) continue;
-            if (!rests) finder.find_soil(grid_, soil, i, rows.soil[l]);
+            if (!rests) {
+                finder.find_soil(grid_, soil, i, rows.soil[l]);
+                widen_reach(block, rows.soil[l]);
+            }
             finder.find_wall(wall, soil.x[i], soil.y[i], rows.wall[l]);
             soil_width = std::max(soil_width, rows.soil[l].count);
             width = std::max(width, rows.soil[l].count + rows.wall[l].merged.size());

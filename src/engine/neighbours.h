@@ -8,6 +8,7 @@
 #include "engine/cell_grid.h"
 #include "engine/kernel.h"
 #include "engine/pair_kernels.h"
+#include "engine/row_chunks.h"
 #include "engine/soil.h"
 #include "engine/wall.h"
 
@@ -31,6 +32,8 @@ struct WallPair {
 /// machine.
 struct PairBlock {
     int first_row = 0;
+    int lowest = 0;  ///< lowest and highest soil row among the rows and their pairs
+    int highest = 0;
     int offset[slices_per_block + 1] = {};
     std::vector<std::int32_t>
         column;                 ///< node of the neighbour; padding entries point at node 0 with zero weights
@@ -77,6 +80,8 @@ struct Neighbours {
     /// Per slice of soil rows, given: 1 where all sleep and nothing is to be solved; empty: nothing sleeps.
     std::vector<char> resting;
 
+    RowChunks chunks;  ///< of `blocks`
+
     [[nodiscard]] bool rests(int i) const {
         return !resting.empty() && resting[static_cast<std::size_t>(i / lanes)] != 0;
     }
@@ -117,6 +122,7 @@ class NeighbourSearch {
     std::vector<double> moment_;
     std::vector<int> node_of_boundary_;
     std::vector<int> cursor_;
+    RowCutter cutter_;
 };
 
 }  // namespace runout

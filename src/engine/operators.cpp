@@ -7,9 +7,13 @@
 namespace runout {
 
 PairRows pair_rows(const PairBlock& block, const Neighbours& n) {
+    const auto arrays = [](const PairBlock& b) {
+        return PairArrays{b.column.data(), b.gx.data(), b.gy.data(), b.stiffness.data()};
+    };
     const int rows = std::min(rows_per_block, n.first_boundary - block.first_row);
-    return {block.first_row, rows / lanes,    block.offset,          block.column.data(),
-            block.gx.data(), block.gy.data(), block.stiffness.data()};
+    const bool last = &block == &n.blocks.back();
+    return {arrays(block), block.first_row, rows / lanes, block.offset,
+            last ? PairArrays{} : arrays(*(&block + 1))};
 }
 
 void soil_velocities(const Neighbours& n, const Soil& soil, std::vector<FloatPair>& velocity) {

@@ -10,9 +10,6 @@
 
 namespace runout {
 
-/// Active boundary particles that one thread works on at a time.
-constexpr int boundary_chunk = 64;
-
 /// Velocity gradient at one particle, dv_row / dx_column, 1/s.
 struct VelocityGradient {
     double xx = 0, xy = 0, yx = 0, yy = 0;
@@ -65,20 +62,6 @@ template <class Function>
 void for_each_awake(const Neighbours& n, int threads, const Function& f) {
     for_each_block(static_cast<int>(n.blocks.size()), threads,
                    [&](int b) { for_each_awake_run(n.blocks[b], n, f); });
-}
-
-/// Calls rows(rows, last) as for_each_awake, and boundary(a) for every active boundary particle.
-template <class Rows, class Boundary>
-void for_each_awake_and_boundary(const Neighbours& n, int threads, const Rows& rows,
-                                 const Boundary& boundary) {
-    const int blocks = static_cast<int>(n.blocks.size());
-    const int chunks = (n.active_count() + boundary_chunk - 1) / boundary_chunk;
-    for_each_block(blocks + chunks, threads, [&](int b) {
-        if (b < blocks) return for_each_awake_run(n.blocks[b], n, rows);
-        const int first = (b - blocks) * boundary_chunk;
-        const int last = std::min(n.active_count(), first + boundary_chunk);
-        for (int a = first; a < last; ++a) boundary(a);
-    });
 }
 
 /// Gives a node array one value in all places but the rows of soil that is awake, which are all written

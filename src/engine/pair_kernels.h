@@ -11,15 +11,20 @@ constexpr int lanes = 16;
 constexpr int slices_per_block = 8;
 constexpr int rows_per_block = slices_per_block * lanes;
 
-/// The pairs of one block as plain arrays: entry k of lane l of slice s stands at offset[s] + 16 k + l.
-struct PairRows {
-    int first_row = 0;
-    int slices = 0;                        ///< that hold rows
-    const int* offset = nullptr;           ///< slices + 1
+/// Pairs as plain arrays.
+struct PairArrays {
     const std::int32_t* column = nullptr;  ///< node of the neighbour
     const float* gx = nullptr;             ///< V gradW, 1/m
     const float* gy = nullptr;
-    const float* stiffness = nullptr;
+    const float* stiffness = nullptr;  ///< k_ij of the pressure matrix
+};
+
+/// The pairs of one block: entry k of lane l of slice s stands at offset[s] + 16 k + l.
+struct PairRows : PairArrays {
+    int first_row = 0;
+    int slices = 0;               ///< that hold rows
+    const int* offset = nullptr;  ///< slices + 1
+    PairArrays next;              ///< of the block that is worked on after this one, if any: for the cache
 };
 
 /// Two numbers of a node that are always wanted together, such as vx and vy or sxx and sxy, in one word:

@@ -6,6 +6,7 @@
 #include "engine/node_array.h"
 #include "engine/operators.h"
 #include "engine/parallel.h"
+#include "engine/row_passes.h"
 
 namespace runout {
 namespace {
@@ -68,7 +69,8 @@ void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& w
     numbered_.assign(n.active.begin(), n.active.end());
 }
 
-/// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n. On return product = A p^n.
+/// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n. On return product = A p^n. Two passes:
+/// product and trial velocity, then its divergence.
 void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
                                          const std::vector<double>& vy, const PressureStep& step) {
     for (auto* field : {&kept_, &gradient_x_, &gradient_y_}) fit(*field, n.nodes);
@@ -77,35 +79,46 @@ void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, 
     for_each_piece(n.nodes, threads_, [&](int first, int last) {
         for (int i = first; i < last; ++i) kept_[i] = step.memory * pressure_[i];
     });
-    multiply(n, wall, pressure_, product_);
     const double dt = step.dt;
     const double scale = dt / discretisation_.density;
-    for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
-        pair_kernels().pressure_gradient(rows, kept_.data(), gradient_x_.data(), gradient_y_.data());
-        for (int i = rows.first_row; i < last; ++i) {
-            trial_velocity_[i] = {static_cast<float>(vx[i] - scale * gradient_x_[i]),
-                                  static_cast<float>(vy[i] - scale * gradient_y_[i])};
-        }
-    });
     const double rate = step.correct_density ? 1.0 / std::max(relaxation_time_, 10.0 * dt) : 0.0;
-    const auto wanted = [&](int node) { return rate * std::max(0.0, n.density[node] - 1.0); };
-    for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
-        pair_kernels().velocity_divergence(rows, trial_velocity_.data(), right_hand_side_.data());
-        for (int i = rows.first_row; i < last; ++i) {
-            right_hand_side_[i] = (wanted(i) - right_hand_side_[i]) / dt + step.memory * product_[i];
+    const auto combine = [&](int node, double divergence) {
+        const double wanted = rate * std::max(0.0, n.density[node] - 1.0);
+        return (wanted - divergence) / dt + step.memory * product_[node];
+    };
+    const auto rows = [&](int pass, const PairRows& run, int last) {
+        if (pass == 0) {
+            pair_kernels().pressure_product(run, diagonal_.data(), pressure_.data(), product_.data());
+            pair_kernels().pressure_gradient(run, kept_.data(), gradient_x_.data(), gradient_y_.data());
+            for (int i = run.first_row; i < last; ++i) {
+                trial_velocity_[i] = {static_cast<float>(vx[i] - scale * gradient_x_[i]),
+                                      static_cast<float>(vy[i] - scale * gradient_y_[i])};
+            }
+        } else {
+            pair_kernels().velocity_divergence(run, trial_velocity_.data(), right_hand_side_.data());
+            for (int i = run.first_row; i < last; ++i) right_hand_side_[i] = combine(i, right_hand_side_[i]);
         }
-    });
-    for (int a = 0; a < n.active_count(); ++a) {
+    };
+    const auto boundary = [&](int pass, int a) {
         const int node = n.first_boundary + a;
-        if (!free_[node] || n.density[node] < surface_density) continue;
-        double divergence = 0.0;
-        for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) {
-            const BoundaryPair& pair = n.boundary_pairs[k];
-            divergence += static_cast<double>(trial_velocity_[pair.soil].x) * pair.gx +
-                          static_cast<double>(trial_velocity_[pair.soil].y) * pair.gy;
+        if (pass == 0) {
+            multiply_boundary_row(n, wall, a, pressure_, product_);
+        } else if (free_[node] && n.density[node] >= surface_density) {
+            right_hand_side_[node] = combine(node, boundary_divergence(n, a));
         }
-        right_hand_side_[node] = (wanted(node) - divergence) / dt + step.memory * product_[node];
+    };
+    for_each_pass(n, 2, threads_, rows, boundary);
+}
+
+/// Divergence of the trial velocity at active boundary particle `a`.
+double PressureSolver::boundary_divergence(const Neighbours& n, int a) const {
+    double divergence = 0.0;
+    for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) {
+        const BoundaryPair& pair = n.boundary_pairs[k];
+        divergence += static_cast<double>(trial_velocity_[pair.soil].x) * pair.gx +
+                      static_cast<double>(trial_velocity_[pair.soil].y) * pair.gy;
     }
+    return divergence;
 }
 
 void PressureSolver::refresh_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall) {

@@ -77,6 +77,7 @@ class PressureSolver {
     void set_up(const Neighbours& n, const Soil& soil, const Wall& wall);
     void set_right_hand_side(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
                              const std::vector<double>& vy, const PressureStep& step);
+    [[nodiscard]] double boundary_divergence(const Neighbours& n, int a) const;
     void refresh_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall);
     double multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x,
                     std::vector<double>& out);

@@ -137,12 +137,19 @@ void Step(benchmark::State& state) {
     Simulation simulation(scene);
     while (!simulation.released() || simulation.work().steps < 30) simulation.step();
     const WorkCounts before = simulation.work();
+    const PhaseClock clock_before = simulation.clock();
     for (auto _ : state) simulation.step();
     const WorkCounts& after = simulation.work();
     count_per_particle(state, static_cast<int>(simulation.state().x.size()));
     state.counters["iterations"] =
         static_cast<double>(after.pressure_iterations - before.pressure_iterations) /
         static_cast<double>(after.steps - before.steps);
+    for (const Phase phase : {Phase::neighbours, Phase::friction, Phase::pressure, Phase::motion}) {
+        state.counters[to_string(phase)] =  // ns per particle and step
+            1e9 * (simulation.clock().seconds(phase) - clock_before.seconds(phase)) /
+            static_cast<double>(after.steps - before.steps) /
+            static_cast<double>(simulation.state().x.size());
+    }
 }
 
 BENCHMARK(MemoryTriad)->Unit(benchmark::kMillisecond);

@@ -1,0 +1,103 @@
+#include "engine/row_chunks.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "engine/neighbours.h"
+#include "engine/node_array.h"
+
+namespace runout {
+namespace {
+
+/// Fewer blocks than this stay in one chunk: their pairs fit into the cache from pass to pass as they are.
+constexpr int least_blocks_to_cut = 256;
+constexpr int least_blocks_of_chunk = 8;
+
+int block_of(int row) {
+    return row / rows_per_block;
+}
+
+int first_block(const Neighbours& n, int a) {
+    return block_of(n.boundary_pairs[n.boundary_start[a]].soil);
+}
+int last_block(const Neighbours& n, int a) {
+    return block_of(n.boundary_pairs[n.boundary_start[a + 1] - 1].soil);
+}
+
+}  // namespace
+
+void RowCutter::cut(Neighbours& n) {
+    const int blocks = static_cast<int>(n.blocks.size());
+    RowChunks& chunks = n.chunks;
+    chunks.block_start.assign(1, 0);
+    if (blocks < least_blocks_to_cut) {
+        chunks.block_start.push_back(blocks);
+    } else {
+        find_reach(n);
+        cut_blocks(blocks, chunks);
+    }
+    place_boundary(n, chunks);
+}
+
+void RowCutter::find_reach(const Neighbours& n) {
+    const int blocks = static_cast<int>(n.blocks.size());
+    fit(next_, blocks);
+    std::iota(next_.begin(), next_.end(), 0);
+    set_all(after_next_, blocks, 0);
+    for (int b = 0; b < blocks; ++b) {
+        next_[b] = std::max(next_[b], block_of(n.blocks[b].highest));
+        // Rows that rest do not list the pairs that others have with them.
+        int& back = next_[block_of(n.blocks[b].lowest)];
+        back = std::max(back, b);
+    }
+    for (int a = 0; a < n.active_count(); ++a) {
+        int& furthest = after_next_[first_block(n, a)];
+        furthest = std::max(furthest, last_block(n, a));
+    }
+}
+
+void RowCutter::cut_blocks(int blocks, RowChunks& chunks) {
+    make_room(chunks.block_start, blocks / least_blocks_of_chunk + 2);
+    const auto furthest = [](const std::vector<int>& reach, int first, int last) {
+        return *std::max_element(reach.begin() + first, reach.begin() + last);
+    };
+    int before = 0;  // the two chunks that end here: [before, first) and [first, end)
+    int first = 0;
+    int end = 0;
+    while (end < blocks) {
+        int wanted = end + least_blocks_of_chunk;
+        if (end > first) wanted = std::max(wanted, furthest(next_, first, end) + 1);
+        if (first > before) wanted = std::max(wanted, furthest(after_next_, before, first) + 1);
+        before = first;
+        first = end;
+        end = std::min(wanted, blocks);
+        chunks.block_start.push_back(end);
+    }
+}
+
+void RowCutter::place_boundary(const Neighbours& n, RowChunks& chunks) {
+    const int count = chunks.count();
+    fit(chunk_of_, n.blocks.size());
+    for (int c = 0; c < count; ++c)
+        std::fill(chunk_of_.begin() + chunks.block_start[c], chunk_of_.begin() + chunks.block_start[c + 1],
+                  c);
+    const auto chunk_of_boundary = [&](int a) {
+        return (chunk_of_[first_block(n, a)] + chunk_of_[last_block(n, a)]) / 2;
+    };
+    set_all(chunks.boundary_start, count + 1, 0);
+    for (int a = 0; a < n.active_count(); ++a) ++chunks.boundary_start[chunk_of_boundary(a) + 1];
+    std::partial_sum(chunks.boundary_start.begin(), chunks.boundary_start.end(),
+                     chunks.boundary_start.begin());
+    fit(chunks.boundary, n.active_count());
+    make_room(cursor_, chunks.boundary_start.size());
+    cursor_.assign(chunks.boundary_start.begin(), chunks.boundary_start.end());
+    for (int a = 0; a < n.active_count(); ++a) chunks.boundary[cursor_[chunk_of_boundary(a)]++] = a;
+    chunks.widest = 0;
+    for (int c = 0; c < count; ++c) {
+        const int boundary = chunks.boundary_start[c + 1] - chunks.boundary_start[c];
+        chunks.widest = std::max(chunks.widest, chunks.block_start[c + 1] - chunks.block_start[c] +
+                                                    (boundary + boundary_chunk - 1) / boundary_chunk);
+    }
+}
+
+}  // namespace runout

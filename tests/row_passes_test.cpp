@@ -1,0 +1,114 @@
+// Passes that follow each other through the rows give what one pass after the other gives.
+
+#include "engine/row_passes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "filled_box.h"
+
+namespace runout {
+namespace {
+
+using namespace filled_box;
+
+constexpr int cells = 210;  // 345 blocks: enough to be cut
+
+/// A box of which every fifth slice rests in the middle third.
+struct PartlyResting : Filled {
+    PartlyResting() : Filled(cells) {
+        n.resting.assign(soil.padded() / lanes, 0);
+        for (std::size_t s = n.resting.size() / 3; s < 2 * n.resting.size() / 3; s += 5) n.resting[s] = 1;
+        NeighbourSearch search(d, 2);
+        search.sort(soil);
+        search.find(soil, wall, n);
+    }
+};
+
+int chunk_of(const Neighbours& n, int row) {
+    int c = 0;
+    while (n.chunks.block_start[c + 1] * rows_per_block <= row) ++c;
+    return c;
+}
+
+void expect_no_pair_beyond_the_next_chunk(const Neighbours& n) {
+    ASSERT_GT(n.chunks.count(), 4);
+    for (const PairBlock& block : n.blocks) {
+        for_each_pair(block, n, [&](int i, int j, int) {
+            if (j >= n.soil_count) return;
+            ASSERT_LE(std::abs(chunk_of(n, i) - chunk_of(n, j)), 1) << i << ' ' << j;
+        });
+    }
+    int placed = 0;
+    for (int c = 0; c < n.chunks.count(); ++c) {
+        for (int k = n.chunks.boundary_start[c]; k < n.chunks.boundary_start[c + 1]; ++k, ++placed) {
+            const int a = n.chunks.boundary[k];
+            for (int p = n.boundary_start[a]; p < n.boundary_start[a + 1]; ++p)
+                ASSERT_LE(std::abs(chunk_of(n, n.boundary_pairs[p].soil) - c), 1) << "boundary " << a;
+        }
+    }
+    EXPECT_EQ(placed, n.active_count());
+}
+
+TEST(RowChunksTest, NoPairReachesBeyondTheNextChunk) {
+    expect_no_pair_beyond_the_next_chunk(Filled(cells).n);
+    expect_no_pair_beyond_the_next_chunk(PartlyResting().n);
+}
+
+/// Two fields that are made from each other in turn, pass by pass, as friction makes velocity and stress.
+struct Fields {
+    std::vector<std::uint64_t> even, odd;
+
+    explicit Fields(const Neighbours& n) : even(n.nodes, 1), odd(n.nodes, 2) {
+        for (int i = 0; i < n.nodes; ++i) even[i] += static_cast<std::uint64_t>(i);
+    }
+    void update_rows(int pass, const PairRows& rows, int last) {
+        const auto& from = pass % 2 == 0 ? even : odd;
+        auto& to = pass % 2 == 0 ? odd : even;
+        for (int i = rows.first_row; i < last; ++i) {
+            const int slice = (i - rows.first_row) / lanes;
+            for (int e = rows.offset[slice] + (i - rows.first_row) % lanes; e < rows.offset[slice + 1];
+                 e += lanes)
+                to[i] = 31 * to[i] + (rows.stiffness[e] > 0.0F ? from[rows.column[e]] : 0);
+        }
+    }
+    void update_boundary(const Neighbours& n, int pass, int a) {
+        const auto& from = pass % 2 == 0 ? even : odd;
+        auto& to = pass % 2 == 0 ? odd : even;
+        for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k)
+            to[n.first_boundary + a] = 31 * to[n.first_boundary + a] + from[n.boundary_pairs[k].soil];
+    }
+};
+
+void expect_the_same_as_pass_by_pass(const Neighbours& n, int threads) {
+    constexpr int passes = 7;
+    Fields expected(n);
+    for (int pass = 0; pass < passes; ++pass) {
+        for (const PairBlock& block : n.blocks) {
+            for_each_awake_run(
+                block, n, [&](const PairRows& rows, int last) { expected.update_rows(pass, rows, last); });
+        }
+        for (int a = 0; a < n.active_count(); ++a) expected.update_boundary(n, pass, a);
+    }
+    Fields found(n);
+    for_each_pass(
+        n, passes, threads,
+        [&](int pass, const PairRows& rows, int last) { found.update_rows(pass, rows, last); },
+        [&](int pass, int a) { found.update_boundary(n, pass, a); });
+    EXPECT_EQ(found.even, expected.even);
+    EXPECT_EQ(found.odd, expected.odd);
+}
+
+TEST(RowPassesTest, GiveWhatOnePassAfterTheOtherGives) {
+    for (const int threads : {1, 2, 3}) {
+        expect_the_same_as_pass_by_pass(Filled(20).n, threads);  // in one chunk
+        expect_the_same_as_pass_by_pass(Filled(cells).n, threads);
+        expect_the_same_as_pass_by_pass(PartlyResting().n, threads);
+    }
+}
+
+}  // namespace
+}  // namespace runout
