@@ -98,9 +98,9 @@ namespace {
 /// Numbers the cells that hold free nodes, in order of column and row.
 void number_cells(const std::vector<Cell>& cell_of, const std::vector<char>& free, std::vector<Cell>& cells,
                   std::vector<int>& aggregate) {
-    cells.clear();
+    cells.clear();  // nodes in spatial order: the next is often in the same cell
     for (std::size_t i = 0; i < cell_of.size(); ++i) {
-        if (free[i]) cells.push_back(cell_of[i]);
+        if (free[i] && (cells.empty() || cells.back() != cell_of[i])) cells.push_back(cell_of[i]);
     }
     std::sort(cells.begin(), cells.end());
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());

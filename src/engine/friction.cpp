@@ -216,7 +216,7 @@ void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const Fricti
     load(n, soil, wall);
     if (yield_.depends_on_rate()) find_strain_rate(n, soil, wall, *step.bed);
     yield_.find(n, pressure_, step.pore_pressure != nullptr ? *step.pore_pressure : dry, strain_rate_,
-                strength_);
+                threads_, strength_);
     for (auto* field : {&vx, &vy}) set_beyond_awake(n, *field, 0.0);
     if (scheme_ == FrictionScheme::explicit_) {
         yield_from_strain_rate(n);
@@ -224,7 +224,9 @@ void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const Fricti
             final_velocity(rows, last, soil, step, vx, vy);
         });
     } else {
-        ahead_ = stress_;
+        for_each_piece(n.nodes, threads_, [&](int first, int last) {
+            std::copy(&stress_[first], &stress_[first] + (last - first), &ahead_[first]);
+        });
         iterate(n, soil, step, vx, vy);
     }
     save(n, soil, wall);

@@ -135,7 +135,9 @@ void PressureSolver::refresh_coarse_level(const Neighbours& n, Soil& soil, const
         steps_since_build_ = 0;
         return;
     }
-    for (int i = 0; i < soil.count; ++i) aggregate_[i] = free_[i] ? soil.aggregate[i] : -1;
+    for_each_piece(soil.count, threads_, [&](int first, int last) {
+        for (int i = first; i < last; ++i) aggregate_[i] = free_[i] ? soil.aggregate[i] : -1;
+    });
     for (int a = 0; a < n.active_count(); ++a) {
         const int node = n.first_boundary + a;
         aggregate_[node] = free_[node] ? wall_aggregate_[n.active[a]] : -1;
@@ -235,12 +237,13 @@ PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
 /// Negative pressure is cut off, at zero unless the soil is cohesive; at a free surface always, where it
 /// would draw grains together that do not touch.
 void PressureSolver::cut_off_tension(const Neighbours& n) {
-    if (tension_ == 0.0) {
-        for (double& p : pressure_) p = std::max(p, 0.0);
-        return;
-    }
-    for (int i = 0; i < n.nodes; ++i)
-        pressure_[i] = std::max(pressure_[i], n.density[i] < body_density ? 0.0 : -tension_);
+    const bool bears_tension = tension_ > 0.0;
+    for_each_piece(n.nodes, threads_, [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
+            const double least = bears_tension && n.density[i] >= body_density ? -tension_ : 0.0;
+            pressure_[i] = std::max(pressure_[i], least);
+        }
+    });
 }
 
 PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
@@ -258,9 +261,15 @@ PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
     last_iterations_ = result.iterations;
     if (steps_since_build_ == 0) iterations_after_build_ = result.iterations;
     cut_off_tension(n);
-    std::copy_n(pressure_.begin(), soil.count, soil.pressure.begin());
+    result.highest = max_pieces(soil.count, threads_, partial_, [&](int first, int last) {
+        double highest = 0.0;
+        for (int i = first; i < last; ++i) {
+            soil.pressure[i] = pressure_[i];
+            highest = std::max(highest, pressure_[i]);
+        }
+        return highest;
+    });
     for (int a = 0; a < n.active_count(); ++a) wall.pressure[n.active[a]] = pressure_[n.first_boundary + a];
-    for (int i = 0; i < soil.count; ++i) result.highest = std::max(result.highest, pressure_[i]);
     return result;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/parallel.h"
+
 namespace runout {
 
 double base_strength_ratio(const Material& material, const Effects& effects, double x) {
@@ -50,12 +52,14 @@ double YieldStrength::friction(double effective_pressure, double strain_rate) co
 
 void YieldStrength::find(const Neighbours& n, const std::vector<double>& pressure,
                          const std::vector<double>& pore_pressure, const std::vector<double>& strain_rate,
-                         std::vector<float>& strength) const {
-    for (int i = 0; i < n.nodes; ++i) {
-        const double p = std::max(wet_ ? pressure[i] - pore_pressure[i] : pressure[i], -tension_);
-        const double mu = rate_ && p > 0.0 ? friction(p, strain_rate[i]) : sin_phi_;
-        strength[i] = static_cast<float>(std::max(0.0, p * mu + cohesion_));
-    }
+                         int threads, std::vector<float>& strength) const {
+    for_each_piece(n.nodes, threads, [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
+            const double p = std::max(wet_ ? pressure[i] - pore_pressure[i] : pressure[i], -tension_);
+            const double mu = rate_ && p > 0.0 ? friction(p, strain_rate[i]) : sin_phi_;
+            strength[i] = static_cast<float>(std::max(0.0, p * mu + cohesion_));
+        }
+    });
     if (!base_ratios_.empty()) weaken_base(n, pressure, pore_pressure, strength);
 }
 

@@ -31,7 +31,7 @@ class YieldStrength {
     /// On return `strength` has the yield stress of every node, Pa. `pore_pressure` and `strain_rate`, per
     /// node, Pa and 1/s (|e|), are looked at where the effect is there.
     void find(const Neighbours& n, const std::vector<double>& pressure,
-              const std::vector<double>& pore_pressure, const std::vector<double>& strain_rate,
+              const std::vector<double>& pore_pressure, const std::vector<double>& strain_rate, int threads,
               std::vector<float>& strength) const;
 
     [[nodiscard]] bool cohesive() const { return cohesion_ > 0.0; }
