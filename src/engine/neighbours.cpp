@@ -53,11 +53,16 @@ void widen_reach(PairBlock& block, const NearList& near) {
     block.highest = std::max(block.highest, static_cast<int>(near.column[near.count - 1]));
 }
 
-/// Room for a slice. Entries are those of the step before until they are written.
-void grow(PairBlock& block, std::size_t size) {
+/// Room for one more slice, and for those to come as if they were like the ones there are: room taken bit by
+/// bit leaves holes in memory. Entries are those of the step before until they are written.
+void grow(PairBlock& block, std::size_t size, int slices) {
     if (block.column.size() >= size) return;
-    fit(block.column, size);
-    for (auto* field : {&block.gx, &block.gy, &block.stiffness}) fit(*field, size);
+    const auto fit_whole = [&](auto& field) {
+        make_room(field, std::max(size, size * slices_per_block / static_cast<std::size_t>(slices)));
+        field.resize(size);
+    };
+    fit_whole(block.column);
+    for (auto* field : {&block.gx, &block.gy, &block.stiffness}) fit_whole(*field);
 }
 
 /// Entries of which nothing comes.
@@ -106,18 +111,18 @@ void write_wall_pairs(PairBlock& block, std::size_t first, int first_row, const 
     }
 }
 
-/// Brings fields of one length into a new order, on `threads` threads.
+/// Brings fields of one length into a new order, one after the other through the same scratch, on `threads`
+/// threads.
 template <class T, std::size_t fields>
 void permute(const std::array<std::vector<T>*, fields>& values, const std::vector<int>& order, int threads,
-             std::vector<std::vector<T>>& scratch) {
-    scratch.resize(fields);
-    for (std::vector<T>& field : scratch) fit(field, order.size());
-    for_each_piece(static_cast<int>(order.size()), threads, [&](int first, int last) {
-        for (std::size_t f = 0; f < fields; ++f) {
-            for (int i = first; i < last; ++i) scratch[f][i] = (*values[f])[order[i]];
-        }
-    });
-    for (std::size_t f = 0; f < fields; ++f) values[f]->swap(scratch[f]);
+             std::vector<T>& scratch) {
+    for (std::vector<T>* field : values) {
+        fit(scratch, order.size());
+        for_each_piece(static_cast<int>(order.size()), threads, [&](int first, int last) {
+            for (int i = first; i < last; ++i) scratch[i] = (*field)[order[i]];
+        });
+        field->swap(scratch);
+    }
 }
 
 }  // namespace
@@ -186,7 +191,7 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
         const auto first = static_cast<std::size_t>(block.offset[slice]);
         const std::size_t last = first + width * lanes;
         block.offset[slice + 1] = static_cast<int>(last);
-        grow(block, last);
+        grow(block, last, slice + 1);
         SliceSums sums{};
         if (width > 0) {
             write_soil_pairs(block, first, soil_width, rows, finder, sums);

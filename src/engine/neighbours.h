@@ -117,8 +117,8 @@ class NeighbourSearch {
     double company_kernel_ = 0;  ///< from which it is in company
     CellGrid grid_;
     std::vector<int> order_;
-    std::vector<std::vector<double>> scratch_;
-    std::vector<std::vector<int>> name_scratch_;
+    std::vector<double> scratch_;
+    std::vector<int> name_scratch_;
     std::vector<double> moment_;
     std::vector<int> node_of_boundary_;
     std::vector<int> cursor_;
