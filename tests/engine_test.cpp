@@ -250,7 +250,7 @@ TEST(Operators, RotationKeepsTheSizeOfTheStressAndTurnsItByTwiceTheAngle) {
 TEST(Operators, InternalForcesAddUpToNothing) {
     // A block in the air: no wall, so no momentum from anywhere.
     Discretisation d = make_discretisation(spacing, 1.3, density);
-    Soil soil = lattice(11);
+    Soil soil = lattice(11, 11);
     const Wall wall = make_wall(BedLine({{-1, -1}, {1, -1}}), d);
     NeighbourSearch search(d, 1);
     Neighbours n;

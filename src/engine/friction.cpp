@@ -224,6 +224,7 @@ void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const Fricti
             final_velocity(rows, last, soil, step, vx, vy);
         });
     } else {
+        // For soil that sleeps and for the wall; the first pass turns the stress of the other soil.
         for_each_piece(n.nodes, threads_, [&](int first, int last) {
             std::copy(&stress_[first], &stress_[first] + (last - first), &ahead_[first]);
         });

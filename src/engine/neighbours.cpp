@@ -49,7 +49,6 @@ struct SliceRows {
 /// The columns of a row ascend, as the ranges of the spatial order do.
 void widen_reach(PairBlock& block, const NearList& near) {
     if (near.count == 0) return;
-    block.lowest = std::min(block.lowest, static_cast<int>(near.column[0]));
     block.highest = std::max(block.highest, static_cast<int>(near.column[near.count - 1]));
 }
 
@@ -166,7 +165,6 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
     const PairFinder finder(discretisation_);
     PairBlock& block = n.blocks[b];
     block.first_row = b * rows_per_block;
-    block.lowest = block.first_row;
     block.highest = std::min(block.first_row + rows_per_block, soil.count) - 1;
     block.wall_pairs.clear();
     for (int slice = 0; slice < slices_per_block; ++slice) {

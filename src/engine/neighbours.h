@@ -32,8 +32,7 @@ struct WallPair {
 /// machine.
 struct PairBlock {
     int first_row = 0;
-    int lowest = 0;  ///< lowest and highest soil row among the rows and their pairs
-    int highest = 0;
+    int highest = 0;  ///< highest soil row among the rows and their pairs
     int offset[slices_per_block + 1] = {};
     std::vector<std::int32_t>
         column;                 ///< node of the neighbour; padding entries point at node 0 with zero weights

@@ -42,14 +42,8 @@ void RowCutter::cut(Neighbours& n) {
 void RowCutter::find_reach(const Neighbours& n) {
     const int blocks = static_cast<int>(n.blocks.size());
     fit(next_, blocks);
-    std::iota(next_.begin(), next_.end(), 0);
     set_all(after_next_, blocks, 0);
-    for (int b = 0; b < blocks; ++b) {
-        next_[b] = std::max(next_[b], block_of(n.blocks[b].highest));
-        // Rows that rest do not list the pairs that others have with them.
-        int& back = next_[block_of(n.blocks[b].lowest)];
-        back = std::max(back, b);
-    }
+    for (int b = 0; b < blocks; ++b) next_[b] = block_of(n.blocks[b].highest);
     for (int a = 0; a < n.active_count(); ++a) {
         int& furthest = after_next_[first_block(n, a)];
         furthest = std::max(furthest, last_block(n, a));

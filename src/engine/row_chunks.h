@@ -6,9 +6,9 @@ namespace runout {
 
 struct Neighbours;
 
-/// Blocks of pair rows cut into consecutive chunks so that every pair is of one chunk or of two that follow
-/// each other. A boundary particle belongs to a chunk as well: all soil it is paired with is in that, the one
-/// before or the one after.
+/// Blocks of pair rows cut into consecutive chunks so that every pair of soil that does not sleep is of one
+/// chunk or of two that follow each other. A boundary particle belongs to a chunk as well: all soil it is
+/// paired with is in that, the one before or the one after.
 struct RowChunks {
     std::vector<int> block_start;     ///< blocks of chunk c: [block_start[c], block_start[c+1])
     std::vector<int> boundary_start;  ///< boundary particles of chunk c: [boundary_start[c], ...[c+1])

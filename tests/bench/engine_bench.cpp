@@ -15,45 +15,15 @@
 #include "engine/operators.h"
 #include "engine/pressure_solver.h"
 #include "engine/simulation.h"
+#include "filled_box.h"
 #include "scenes.h"
 
 namespace runout {
 namespace {
 
-constexpr double density = 2000.0;
+using namespace filled_box;
+
 constexpr double gravity = 9.81;
-
-/// A square of n x n particles in a box with open top.
-struct Filled {
-    double spacing;
-    Discretisation d;
-    Soil soil;
-    Wall wall;
-    NeighbourSearch search;
-    Neighbours n;
-
-    explicit Filled(int cells)
-        : spacing(1.0 / cells),
-          d(make_discretisation(spacing, 1.3, density)),
-          soil(lattice(cells)),
-          wall(make_wall(BedLine({{0, 2}, {0, 0}, {1, 0}, {1, 2}}), d)),
-          search(d, 1) {
-        search.sort(soil);
-        search.find(soil, wall, n);
-    }
-
-    [[nodiscard]] Soil lattice(int cells) const {
-        std::vector<double> x;
-        std::vector<double> y;
-        for (int i = 0; i < cells; ++i) {
-            for (int j = 0; j < cells; ++j) {
-                x.push_back((i + 0.5) * spacing);
-                y.push_back((j + 0.5) * spacing);
-            }
-        }
-        return soil_at(x, y);
-    }
-};
 
 int cells_for(const benchmark::State& state) {
     return static_cast<int>(std::lround(std::sqrt(static_cast<double>(state.range(0)))));
