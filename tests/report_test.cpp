@@ -280,6 +280,9 @@ TEST(RunSummary, SaysHowSureTheNumbersAreAndHowMuchNatureScatters) {
                              "pilot", "Empirical relations", "4.1 s expected"})
         EXPECT_TRUE(has(text, part)) << part << " in\n" << text;
     EXPECT_TRUE(has(run_summary(slope_run()), "Numerical error not known"));
+
+    run.measures.run_out_m = 3.0;  // less than the source is wide: a share of that says nothing
+    EXPECT_TRUE(has(run_summary(run), "+-0.61 m (7.2 % of sqrt(S)) of the run-out")) << run_summary(run);
     EXPECT_FALSE(has(run_summary(slope_run()), "expected"));
 }
 

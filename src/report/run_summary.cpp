@@ -50,8 +50,10 @@ std::string error_lines(const StoredRun& run) {
         return fmt::format("Numerical error not known{}{}; `runout accuracy` tells it.\n",
                            a.error_note.empty() ? "" : ": ", a.error_note);
     const double root_area = std::sqrt(run.measures.source_area_m2);
-    std::string text = fmt::format("Numerical error +-{:.2g} m ({:.1f} %) of the run-out", a.run_out_error_m,
-                                   100.0 * a.run_out_error_m / std::max(run.measures.run_out_m, root_area));
+    const double scale = std::max(run.measures.run_out_m, root_area);
+    std::string text =
+        fmt::format("Numerical error +-{:.2g} m ({:.1f} %{}) of the run-out", a.run_out_error_m,
+                    100.0 * a.run_out_error_m / scale, scale > run.measures.run_out_m ? " of sqrt(S)" : "");
     if (std::isfinite(a.reach_angle_error_deg))
         text += fmt::format(", +-{:.1f} deg of the reach angle", a.reach_angle_error_deg);
     return text + fmt::format(" (95 %; {}: {}).\n", a.error_origin, a.error_note) +

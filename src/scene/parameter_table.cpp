@@ -180,7 +180,8 @@ std::vector<Parameter> physical_run_parameters() {
 std::vector<Parameter> numerical_run_parameters() {
     return {
         word("run.accuracy", {}, "5%",
-             "Numerical error that the run-out may have: a share (\"5%\") or a length (\"0.25 m\"). The "
+             "Numerical error that the run-out may have: a share (\"5%\"; of sqrt(S) where that is more) or "
+             "a length (\"0.25 m\"). The "
              "cheapest "
              "spacing that meets it is chosen; excludes run.resolution and run.particle_spacing_m.",
              [](CaseSpec& spec, const std::string& text) { spec.accuracy = text; }),
