@@ -37,6 +37,60 @@ TEST(NeighboursTest, FindsEveryPairThatBruteForceFinds) {
     }
 }
 
+/// What one instruction set finds near rows 4 to 11 of a slice, among all particles but two.
+struct Found {
+    std::vector<int> count = std::vector<int>(lanes, -1);
+    std::vector<std::int32_t> column;
+    std::vector<double> separation;
+    friend bool operator==(const Found&, const Found&) = default;
+};
+
+Found find_near_rows(const PairKernels& kernels, const Soil& soil, float support2) {
+    constexpr int first_row = 2 * lanes;
+    std::vector<std::int32_t> candidate;
+    for (int i = 1; i + 1 < soil.count; ++i) candidate.push_back(i);  // no whole number of fours
+    Found found;
+    std::vector<std::int32_t> column(lanes * (candidate.size() + 1));
+    std::vector<FloatPair> separation(column.size());
+    kernels.select_near_slice(soil.x.data(), soil.y.data(),
+                              {first_row, 0x0FF0, static_cast<int>(candidate.size()), candidate.data()},
+                              support2, {found.count.data(), column.data(), separation.data()});
+    for (int l = 0; l < lanes; ++l) {
+        for (int k = 0; k < found.count[l]; ++k) {
+            found.column.push_back(column[k * lanes + l]);
+            found.separation.insert(found.separation.end(),
+                                    {separation[k * lanes + l].x, separation[k * lanes + l].y});
+        }
+    }
+    return found;
+}
+
+TEST(NeighboursTest, EveryInstructionSetFindsTheSameNearRows) {
+    Filled f(9);
+    for (int i = 0; i < f.soil.count; ++i) f.soil.x[i] += 0.3 * spacing * std::sin(12.9898 * i);
+    const auto support = static_cast<float>(2.0 * f.d.smoothing_length);
+    const float support2 = support * support;
+    Found expected;
+    for (int l = 4; l < 12; ++l) {
+        const int i = 2 * lanes + l;
+        expected.count[l] = 0;
+        for (int j = 1; j + 1 < f.soil.count; ++j) {
+            const auto dx = static_cast<float>(f.soil.x[i] - f.soil.x[j]);
+            const auto dy = static_cast<float>(f.soil.y[i] - f.soil.y[j]);
+            if (j == i || dx * dx + dy * dy >= support2) continue;
+            ++expected.count[l];
+            expected.column.push_back(j);
+            expected.separation.insert(expected.separation.end(), {dx, dy});
+        }
+    }
+    ASSERT_GT(expected.column.size(), 80U);
+    EXPECT_EQ(find_near_rows(pair_kernels_baseline, f.soil, support2), expected);
+    EXPECT_EQ(find_near_rows(pair_kernels(), f.soil, support2), expected);
+    if (&pair_kernels() == &pair_kernels_avx512) {
+        EXPECT_EQ(find_near_rows(pair_kernels_avx2, f.soil, support2), expected);
+    }
+}
+
 TEST(NeighboursTest, GrainsThatFlyAloneHaveTheDensityOfOne) {
     // More of them than stand in a slice of rows: none of its rows has a pair.
     const Discretisation d = make_discretisation(spacing, 1.3, density);

@@ -78,17 +78,21 @@ struct CellGrid {
         if (!start.empty()) start.back() = static_cast<int>(count);
     }
 
-    /// Calls f(first, last) for the up to 2 reach + 1 particle ranges that hold everything within `reach`
-    /// cells.
+    /// Cells from column to column and row to row, both included, in cells from the origin of the plane.
+    struct Window {
+        long first_column, last_column, first_row, last_row;
+    };
+
+    /// Calls f(first, last) for the particle ranges, one a column, that hold everything within `reach` cells
+    /// of a window.
     template <class Function>
-    void around(double x, double y, int reach, const Function& f) const {
-        const long cx = column(x) - column0;
-        const long cy = row(y) - row0;
-        const long low = std::max(cy - reach, 0L);
-        const long high = std::min(cy + reach, static_cast<long>(rows) - 1);
+    void around(const Window& window, int reach, const Function& f) const {
+        const long low = std::max(window.first_row - row0 - reach, 0L);
+        const long high = std::min(window.last_row - row0 + reach, static_cast<long>(rows) - 1);
         if (low > high) return;
-        for (long c = std::max(cx - reach, 0L); c <= std::min(cx + reach, static_cast<long>(columns) - 1);
-             ++c) {
+        const long left = std::max(window.first_column - column0 - reach, 0L);
+        const long right = std::min(window.last_column - column0 + reach, static_cast<long>(columns) - 1);
+        for (long c = left; c <= right; ++c) {
             const int s = slot[static_cast<std::size_t>(c)];
             if (s < 0) continue;
             const std::size_t base = static_cast<std::size_t>(s) * static_cast<std::size_t>(rows);
@@ -96,6 +100,12 @@ struct CellGrid {
             const int last = start[base + static_cast<std::size_t>(high) + 1];
             if (first < last) f(first, last);
         }
+    }
+
+    /// The same around the cell of a point: up to 2 reach + 1 ranges.
+    template <class Function>
+    void around(double x, double y, int reach, const Function& f) const {
+        around(Window{column(x), column(x), row(y), row(y)}, reach, f);
     }
 };
 

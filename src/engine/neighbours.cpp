@@ -42,14 +42,17 @@ void invert_moment(const double* m, Neighbours& n, int node) {
 
 /// What one thread works with while it finds the rows of a slice.
 struct SliceRows {
-    std::array<NearList, lanes> soil;
+    NearSlice soil;
     std::array<WallRow, lanes> wall;
 };
 
 /// The columns of a row ascend, as the ranges of the spatial order do.
-void widen_reach(PairBlock& block, const NearList& near) {
-    if (near.count == 0) return;
-    block.highest = std::max(block.highest, static_cast<int>(near.column[near.count - 1]));
+void widen_reach(PairBlock& block, const NearSlice& near) {
+    for (int l = 0; l < lanes; ++l) {
+        if (near.count[l] == 0) continue;
+        block.highest =
+            std::max(block.highest, static_cast<int>(near.column[(near.count[l] - 1) * lanes + l]));
+    }
 }
 
 /// Room for one more slice, and for those to come as if they were like the ones there are: room taken bit by
@@ -71,32 +74,27 @@ void clear(PairBlock& block, std::size_t first, std::size_t last) {
         std::fill(&(*field)[first], &(*field)[first] + (last - first), 0.0F);
 }
 
-/// Writes the soil pairs of a slice, lane beside lane, and finds their geometry. Short lanes are filled up
-/// with separations of one support, of which nothing comes.
-void write_soil_pairs(PairBlock& block, std::size_t first, int width, const SliceRows& rows,
-                      const PairFinder& finder, SliceSums& sums) {
+/// Writes the soil pairs of a slice and finds their geometry. Short lanes are filled up with separations of
+/// one support, of which nothing comes.
+void write_soil_pairs(PairBlock& block, std::size_t first, NearSlice& near, const PairFinder& finder,
+                      SliceSums& sums) {
+    const int width = near.width();
     for (int l = 0; l < lanes; ++l) {
-        const NearList& near = rows.soil[l];
-        std::size_t slot = first + l;
-        for (int k = 0; k < near.count; ++k, slot += lanes) {
-            block.column[slot] = near.column[k];
-            block.gx[slot] = near.dx[k];
-            block.gy[slot] = near.dy[k];
-        }
-        for (int k = near.count; k < width; ++k, slot += lanes) {
-            block.column[slot] = 0;
-            block.gx[slot] = finder.support;
-            block.gy[slot] = 0.0F;
+        for (int slot = near.count[l] * lanes + l; slot < width * lanes; slot += lanes) {
+            near.column[slot] = 0;
+            near.separation[slot] = {finder.support, 0.0F};
         }
     }
-    pair_kernels().slice_geometry({width, &block.gx[first], &block.gy[first], &block.stiffness[first]},
-                                  finder.constants, sums);
+    std::copy_n(near.column.data(), width * lanes, &block.column[first]);
+    pair_kernels().slice_geometry(
+        {width, near.separation.data(), &block.gx[first], &block.gy[first], &block.stiffness[first]},
+        finder.constants, sums);
 }
 
 /// Wall pairs follow the soil pairs of their row.
 void write_wall_pairs(PairBlock& block, std::size_t first, int first_row, const SliceRows& rows) {
     for (int l = 0; l < lanes; ++l) {
-        std::size_t slot = first + l + static_cast<std::size_t>(rows.soil[l].count) * lanes;
+        std::size_t slot = first + l + static_cast<std::size_t>(rows.soil.count[l]) * lanes;
         if (!rows.wall[l].merged.empty()) make_room(block.wall_pairs, rows_per_block);
         for (WallPair pair : rows.wall[l].merged) {
             pair.slot = static_cast<int>(slot);
@@ -171,20 +169,16 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
         const int first_row = block.first_row + slice * lanes;
         const bool rests = first_row < soil.count && n.rests(first_row);  // the last block has fewer rows
         if (first_row < soil.count) std::fill_n(&n.company[first_row], lanes, 1.0F);
-        int soil_width = 0;
+        const int last_row = std::min(first_row + lanes, soil.count);
+        finder.find_soil(grid_, soil, first_row, rests ? first_row : last_row, rows.soil);
+        widen_reach(block, rows.soil);
         std::size_t width = 0;
         for (int l = 0; l < lanes; ++l) {
-            rows.soil[l].count = 0;
             rows.wall[l].merged.clear();
             const int i = first_row + l;
-            if (i >= soil.count) continue;
-            if (!rests) {
-                finder.find_soil(grid_, soil, i, rows.soil[l]);
-                widen_reach(block, rows.soil[l]);
-            }
+            if (i >= last_row) continue;
             finder.find_wall(wall, soil.x[i], soil.y[i], rows.wall[l]);
-            soil_width = std::max(soil_width, rows.soil[l].count);
-            width = std::max(width, rows.soil[l].count + rows.wall[l].merged.size());
+            width = std::max(width, rows.soil.count[l] + rows.wall[l].merged.size());
         }
         const auto first = static_cast<std::size_t>(block.offset[slice]);
         const std::size_t last = first + width * lanes;
@@ -192,8 +186,8 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
         grow(block, last, slice + 1);
         SliceSums sums{};
         if (width > 0) {
-            write_soil_pairs(block, first, soil_width, rows, finder, sums);
-            clear(block, first + static_cast<std::size_t>(soil_width) * lanes, last);
+            write_soil_pairs(block, first, rows.soil, finder, sums);
+            clear(block, first + static_cast<std::size_t>(rows.soil.width()) * lanes, last);
             if (!rests) fade_lone_grains(n, first_row, sums, rows.wall);
             write_wall_pairs(block, first, first_row, rows);
         }

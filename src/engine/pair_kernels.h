@@ -57,14 +57,29 @@ struct StressRotation {
     FloatPair* stress = nullptr;          ///< sxx and sxy, Pa
 };
 
-/// Which particles are near a point: those of up to `max_ranges` ranges of a spatial order, but `self`.
+/// Which particles are near a point: those of up to `max_ranges` ranges of a spatial order.
 struct NearQuery {
-    static constexpr int max_ranges = 5;
+    static constexpr int max_ranges = 3;
     double x = 0, y = 0;  ///< m
-    int self = -1;
     int ranges = 0;
     int first[max_ranges] = {};
     int last[max_ranges] = {};
+};
+
+/// Which of the given particles are near the rows of a slice that `asking` has a bit for, the row itself left
+/// out.
+struct SliceQuery {
+    int first_row = 0;  ///< the slice's first
+    std::uint32_t asking = 0;
+    int count = 0;  ///< of candidates
+    const std::int32_t* candidate = nullptr;
+};
+
+/// What is near the rows of a slice: entry e of lane l stands at 16 e + l.
+struct SliceNear {
+    int* count = nullptr;  ///< entries of each lane
+    std::int32_t* column = nullptr;
+    FloatPair* separation = nullptr;  ///< x_row - x_column, m
 };
 
 /// A list of pairs as plain arrays: separations in, geometry out.
@@ -78,12 +93,13 @@ struct PairGeometry {
     float* kernel = nullptr;     ///< W, 1/m2
 };
 
-/// The pairs of one slice: entry e of lane l stands at 16 e + l. Separations in, geometry out, in place; a
-/// separation of one support is no pair and comes out as zeros.
+/// The pairs of one slice: entry e of lane l stands at 16 e + l. Separations in, geometry out; a separation
+/// of one support is no pair and comes out as zeros.
 struct SliceGeometry {
-    int width = 0;       ///< entries a lane
-    float* x = nullptr;  ///< in: x_i - x_j, m; out: V gradW, 1/m
-    float* y = nullptr;
+    int width = 0;                          ///< entries a lane
+    const FloatPair* separation = nullptr;  ///< x_i - x_j, m
+    float* gx = nullptr;                    ///< V gradW, 1/m
+    float* gy = nullptr;
     float* stiffness = nullptr;  ///< k_ij
 };
 
@@ -124,9 +140,13 @@ struct PairKernels {
     /// out = d_i x_i - sum_j k_ij x_j: rows of the pressure matrix with the given diagonal.
     void (*pressure_product)(const PairRows& rows, const double* diagonal, const double* x, double* out);
     /// Writes index and separation of all that is nearer than the square root of `support2`, in order, and
-    /// returns how many. There must be room for all of the ranges and 16 more.
+    /// returns how many. There must be room for all of the ranges and one more.
     int (*select_near)(const double* x, const double* y, const NearQuery& query, float support2,
                        std::int32_t* column, float* dx, float* dy);
+    /// The same for the rows of a slice that ask, each in the order of the candidates; counts of the others
+    /// stay. There must be room for as many entries as candidates, and one more.
+    void (*select_near_slice)(const double* x, const double* y, const SliceQuery& query, float support2,
+                              const SliceNear& near);
     /// Kernel, gradient and k of each pair of a list.
     void (*pair_geometry)(const PairGeometry& pairs, const GeometryConstants& constants);
     /// Gradient and k of each pair of a slice, and its sums.

@@ -4,7 +4,7 @@
 // arrays and arithmetic may be used here: whatever function of a header is compiled with wider instructions
 // could be the copy that the linker keeps for the whole program.
 
-#if defined(__AVX512F__)
+#if defined(__AVX2__)
 #include <immintrin.h>
 #endif
 
@@ -199,43 +199,6 @@ void pressure_product(const PairRows& p, const double* diagonal, const double* x
     }
 }
 
-#if defined(__AVX512F__)
-
-/// Eight candidates at a time: a range of the spatial order seldom has more.
-int select_near(const double* x, const double* y, const NearQuery& query, float support2,
-                std::int32_t* column, float* dx, float* dy) {
-    constexpr int width = 8;
-    const __m512d px = _mm512_set1_pd(query.x);
-    const __m512d py = _mm512_set1_pd(query.y);
-    const __m256i self = _mm256_set1_epi32(query.self);
-    const __m256 limit = _mm256_set1_ps(support2);
-    const __m256i lane = _mm256_set_epi32(7, 6, 5, 4, 3, 2, 1, 0);
-    const auto separation = [](const double* from, __mmask8 valid, __m512d to) {
-        return _mm512_maskz_cvtpd_ps(0xFF, _mm512_sub_pd(to, _mm512_maskz_loadu_pd(valid, from)));
-    };
-    int count = 0;
-    for (int r = 0; r < query.ranges; ++r) {
-        for (int k = query.first[r]; k < query.last[r]; k += width) {
-            const int left = query.last[r] - k;
-            const auto valid = static_cast<__mmask8>(left < width ? (1U << left) - 1U : 0xFFU);
-            const __m256i index = _mm256_add_epi32(_mm256_set1_epi32(k), lane);
-            const __m256 sx = separation(x + k, valid, px);
-            const __m256 sy = separation(y + k, valid, py);
-            const __m256 r2 = _mm256_add_ps(_mm256_mul_ps(sx, sx), _mm256_mul_ps(sy, sy));
-            const auto near = static_cast<__mmask8>(_mm256_mask_cmp_ps_mask(valid, r2, limit, _CMP_LT_OQ) &
-                                                    _mm256_cmpneq_epi32_mask(index, self));
-            _mm256_storeu_si256(reinterpret_cast<__m256i*>(column + count),
-                                _mm256_maskz_compress_epi32(near, index));
-            _mm256_storeu_ps(dx + count, _mm256_maskz_compress_ps(near, sx));
-            _mm256_storeu_ps(dy + count, _mm256_maskz_compress_ps(near, sy));
-            count += __builtin_popcount(near);
-        }
-    }
-    return count;
-}
-
-#else
-
 /// Branchless: every candidate is written, and kept by moving on.
 int select_near(const double* x, const double* y, const NearQuery& query, float support2,
                 std::int32_t* column, float* dx, float* dy) {
@@ -247,13 +210,75 @@ int select_near(const double* x, const double* y, const NearQuery& query, float 
             column[count] = k;
             dx[count] = sx;
             dy[count] = sy;
-            count += static_cast<int>(sx * sx + sy * sy < support2) & static_cast<int>(k != query.self);
+            count += static_cast<int>(sx * sx + sy * sy < support2);
         }
     }
     return count;
 }
 
+/// Separations of a slice's rows from one point, x_row - x. Returns a bit for each row that is near.
+inline std::uint32_t near_rows(const double* row_x, const double* row_y, double x, double y, float support2,
+                               FloatPair* separations) {
+#if defined(__AVX2__)
+    std::uint32_t near = 0;
+    for (int first = 0; first < lanes; first += 4) {
+        const auto separation = [first](const double* rows, double from) {
+            return _mm256_cvtpd_ps(_mm256_sub_pd(_mm256_loadu_pd(rows + first), _mm256_set1_pd(from)));
+        };
+        const __m128 sx = separation(row_x, x);
+        const __m128 sy = separation(row_y, y);
+        float* to = &separations[first].x;
+        _mm_storeu_ps(to, _mm_unpacklo_ps(sx, sy));
+        _mm_storeu_ps(to + 4, _mm_unpackhi_ps(sx, sy));
+        const __m128 r2 = _mm_add_ps(_mm_mul_ps(sx, sx), _mm_mul_ps(sy, sy));
+        near |= static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmplt_ps(r2, _mm_set1_ps(support2)))) << first;
+    }
+    return near;
+#else
+    std::uint32_t near = 0;
+    for (int l = 0; l < lanes; ++l) {
+        const auto sx = static_cast<float>(row_x[l] - x);
+        const auto sy = static_cast<float>(row_y[l] - y);
+        separations[l] = {sx, sy};
+        near |= static_cast<std::uint32_t>(sx * sx + sy * sy < support2) << l;
+    }
+    return near;
 #endif
+}
+
+constexpr int candidate_group = 4;  // bits of as many candidates fit into a word
+
+/// A group of candidates at a time: the processor foretells the end of one long loop over near rows better
+/// than of four short ones.
+void select_near_slice(const double* x, const double* y, const SliceQuery& query, float support2,
+                       const SliceNear& near) {
+    const double* row_x = x + query.first_row;
+    const double* row_y = y + query.first_row;
+    FloatPair separation[candidate_group * lanes];
+    std::size_t slot[lanes];
+    for (int l = 0; l < lanes; ++l) slot[l] = static_cast<std::size_t>(l);
+    for (int first = 0; first < query.count; first += candidate_group) {
+        const std::int32_t* candidate = query.candidate + first;
+        std::uint64_t pairs = 0;
+        for (int c = 0; c < candidate_group && first + c < query.count; ++c) {
+            const int k = candidate[c];
+            const auto own = static_cast<unsigned>(k - query.first_row);
+            const std::uint32_t self = own < lanes ? 1U << own : 0U;
+            const std::uint32_t rows = near_rows(row_x, row_y, x[k], y[k], support2, separation + c * lanes);
+            pairs |= static_cast<std::uint64_t>(rows & query.asking & ~self) << (c * lanes);
+        }
+        for (; pairs != 0; pairs &= pairs - 1) {
+            const auto bit = static_cast<unsigned>(__builtin_ctzll(pairs));
+            std::size_t& next = slot[bit % lanes];
+            near.column[next] = candidate[bit / lanes];
+            near.separation[next] = separation[bit];
+            next += lanes;
+        }
+    }
+    for (int l = 0; l < lanes; ++l) {
+        if ((query.asking >> l & 1U) != 0) near.count[l] = static_cast<int>(slot[l] / lanes);
+    }
+}
 
 /// Gradient, k and kernel of one pair. Nothing comes of a pair one support apart.
 struct PairValues {
@@ -291,15 +316,16 @@ void slice_geometry(const SliceGeometry& slice, const GeometryConstants& constan
     const GeometryConstants c = constants;
     SliceSums total{};
     for (int e = 0; e < slice.width; ++e) {
-        float* __restrict__ x = slice.x + e * lanes;
-        float* __restrict__ y = slice.y + e * lanes;
+        const FloatPair* __restrict__ separation = slice.separation + e * lanes;
+        float* __restrict__ gx = slice.gx + e * lanes;
+        float* __restrict__ gy = slice.gy + e * lanes;
         float* __restrict__ stiffness = slice.stiffness + e * lanes;
         for (int l = 0; l < lanes; ++l) {
-            const float dx = x[l];
-            const float dy = y[l];
+            const float dx = separation[l].x;
+            const float dy = separation[l].y;
             const PairValues pair = pair_values(dx, dy, c);
-            x[l] = pair.gx;
-            y[l] = pair.gy;
+            gx[l] = pair.gx;
+            gy[l] = pair.gy;
             stiffness[l] = pair.stiffness;
             total.kernel[l] += pair.kernel;
             total.stiffness[l] += pair.stiffness;
@@ -314,8 +340,9 @@ void slice_geometry(const SliceGeometry& slice, const GeometryConstants& constan
 }
 
 constexpr PairKernels table() {
-    return {stress_divergence, pressure_gradient, velocity_divergence, velocity_gradient, update_stress,
-            rotate_stress,     pressure_product,  select_near,         pair_geometry,     slice_geometry};
+    return {stress_divergence, pressure_gradient, velocity_divergence, velocity_gradient,
+            update_stress,     rotate_stress,     pressure_product,    select_near,
+            select_near_slice, pair_geometry,     slice_geometry};
 }
 
 }  // namespace

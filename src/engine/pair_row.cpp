@@ -56,11 +56,11 @@ GeometryConstants geometry_constants(const WendlandKernel& kernel, const Discret
             static_cast<float>(d.eta2())};
 }
 
-/// Particles within the support of a point, out of the cells of a grid around it.
-void find(const PairFinder& finder, const CellGrid& grid, int reach, const std::vector<double>& px,
-          const std::vector<double>& py, NearQuery query, NearList& near) {
+/// Wall particles within the support of a point.
+void find_near(const Wall& wall, double x, double y, float support2, NearList& near) {
+    NearQuery query{.x = x, .y = y};
     int candidates = 0;
-    grid.around(query.x, query.y, reach, [&](int first, int last) {
+    wall.grid.around(x, y, 1, [&](int first, int last) {
         query.first[query.ranges] = first;
         query.last[query.ranges] = last;
         ++query.ranges;
@@ -68,9 +68,19 @@ void find(const PairFinder& finder, const CellGrid& grid, int reach, const std::
     });
     near.count = 0;
     if (candidates == 0) return;
-    near.reserve(static_cast<std::size_t>(candidates + lanes));
-    near.count = pair_kernels().select_near(px.data(), py.data(), query, finder.support2, near.column.data(),
-                                            near.dx.data(), near.dy.data());
+    near.reserve(static_cast<std::size_t>(candidates + 1));
+    near.count = pair_kernels().select_near(wall.ordered_x.data(), wall.ordered_y.data(), query, support2,
+                                            near.column.data(), near.dx.data(), near.dy.data());
+}
+
+/// One past the last of the particles from `first` on that stand in the column of the first; they are in the
+/// order of the grid. The cells that they stand in.
+int end_of_column(const CellGrid& grid, const Soil& soil, int first, int last, CellGrid::Window& cells) {
+    const long column = grid.column(soil.x[first]);
+    int end = first + 1;
+    while (end < last && grid.column(soil.x[end]) == column) ++end;
+    cells = {column, column, grid.row(soil.y[first]), grid.row(soil.y[end - 1])};
+    return end;
 }
 
 }  // namespace
@@ -81,15 +91,31 @@ PairFinder::PairFinder(const Discretisation& discretisation)
       support(static_cast<float>(kernel.support())),
       support2(support * support) {}
 
-void PairFinder::find_soil(const CellGrid& grid, const Soil& soil, int i, NearList& near) const {
-    find(*this, grid, cells_per_support, soil.x, soil.y, {.x = soil.x[i], .y = soil.y[i], .self = i}, near);
+void PairFinder::find_soil(const CellGrid& grid, const Soil& soil, int first, int last,
+                           NearSlice& near) const {
+    near.count.fill(0);
+    for (int i = first; i < last;) {
+        CellGrid::Window cells;
+        const int end = end_of_column(grid, soil, i, last, cells);
+        near.candidate.clear();
+        grid.around(cells, cells_per_support, [&](int from, int to) {
+            for (int k = from; k < to; ++k) near.candidate.push_back(k);
+        });
+        const auto candidates = static_cast<int>(near.candidate.size());
+        near.reserve(near.candidate.size() + 1);
+        const std::uint32_t asking = (1U << (end - first)) - (1U << (i - first));
+        pair_kernels().select_near_slice(soil.x.data(), soil.y.data(),
+                                         {first, asking, candidates, near.candidate.data()}, support2,
+                                         {near.count.data(), near.column.data(), near.separation.data()});
+        i = end;
+    }
 }
 
 void PairFinder::find_wall(const Wall& wall, double x, double y, WallRow& row) const {
     row.merged.clear();
     row.sums = {};
     row.nearest_boundary = -1;
-    find(*this, wall.grid, 1, wall.ordered_x, wall.ordered_y, {.x = x, .y = y}, row.near);
+    find_near(wall, x, y, support2, row.near);
     if (row.near.count == 0) return;
     for (auto* field : {&row.gx, &row.gy, &row.stiffness, &row.kernel}) {
         if (field->size() < row.near.column.size()) field->resize(row.near.column.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -14,10 +15,10 @@ namespace runout {
 
 /// Soil cells along one kernel support: smaller cells leave fewer candidates that are too far.
 constexpr int cells_per_support = 2;
-static_assert(2 * cells_per_support + 1 <= NearQuery::max_ranges);
 
-/// Particles within the support of one, in the order they were met. Separations in single precision, taken
-/// from positions in double: what one particle sees of a pair is the exact negative of what the other sees.
+/// Particles within the support of a point, in the order they were met. Separations in single precision,
+/// taken from positions in double: what one particle sees of a pair is the exact negative of what the other
+/// sees.
 struct NearList {
     int count = 0;
     std::vector<std::int32_t> column;
@@ -28,6 +29,21 @@ struct NearList {
         column.resize(size);
         dx.resize(size);
         dy.resize(size);
+    }
+};
+
+/// The same for the soil rows of a slice: entry e of lane l stands at 16 e + l.
+struct NearSlice {
+    std::array<int, lanes> count{};
+    std::vector<std::int32_t> column;
+    std::vector<FloatPair> separation;  ///< x_i - x_j, m
+    std::vector<std::int32_t> candidate;
+
+    [[nodiscard]] int width() const { return *std::max_element(count.begin(), count.end()); }
+    void reserve(std::size_t entries) {
+        if (column.size() >= entries * lanes) return;
+        column.resize(entries * lanes);
+        separation.resize(entries * lanes);
     }
 };
 
@@ -57,8 +73,9 @@ struct PairFinder {
 
     explicit PairFinder(const Discretisation& discretisation);
 
-    /// Soil within the support of soil particle i, in a grid of support / cells_per_support.
-    void find_soil(const CellGrid& grid, const Soil& soil, int i, NearList& near) const;
+    /// Soil within the support of each soil particle of [first, last), a slice or the start of one, in the
+    /// grid of support / cells_per_support that sorted the soil.
+    void find_soil(const CellGrid& grid, const Soil& soil, int first, int last, NearSlice& near) const;
     /// Wall within the support of a point; on return the pairs are merged and summed.
     void find_wall(const Wall& wall, double x, double y, WallRow& row) const;
 };

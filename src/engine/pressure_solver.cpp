@@ -219,7 +219,9 @@ PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
     while (left > target && result.iterations < max_iterations) {
         const double rz = precondition();
         const double beta = result.iterations == 0 ? 0.0 : rz / rz_old;
-        sum_nodes([&](int i) { return direction_[i] = correction_[i] + beta * direction_[i]; });
+        for_each_piece(n.nodes, threads_, [&](int first, int last) {
+            for (int i = first; i < last; ++i) direction_[i] = correction_[i] + beta * direction_[i];
+        });
         const double alpha = rz / multiply(n, wall, direction_, product_);
         left = std::sqrt(sum_nodes([&](int i) {
             pressure_[i] += alpha * direction_[i];

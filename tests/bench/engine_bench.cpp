@@ -139,6 +139,16 @@ BENCHMARK(Step)
     ->Args({100000, 2})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+// Two at once, each on one thread and on its own: what a second core of this machine is worth at most. The
+// time is that of one step of either, over two.
+BENCHMARK(Step)
+    ->ArgNames({"particles", "threads"})
+    ->Args({10000, 1})
+    ->Args({30000, 1})
+    ->Args({100000, 1})
+    ->Threads(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace runout
