@@ -50,12 +50,16 @@ Found find_near_rows(const PairKernels& kernels, const Soil& soil, float support
     std::vector<std::int32_t> candidate;
     for (int i = 1; i + 1 < soil.count; ++i) candidate.push_back(i);  // no whole number of fours
     Found found;
-    std::vector<std::int32_t> column(lanes * (candidate.size() + 1));
+    constexpr std::int32_t untouched = -1;
+    std::vector<std::int32_t> column(lanes * (candidate.size() + 1), untouched);
     std::vector<FloatPair> separation(column.size());
     kernels.select_near_slice(soil.x.data(), soil.y.data(),
                               {first_row, 0x0FF0, static_cast<int>(candidate.size()), candidate.data()},
                               support2, {found.count.data(), column.data(), separation.data()});
     for (int l = 0; l < lanes; ++l) {
+        if (found.count[l] < 0) {
+            EXPECT_EQ(column[l], untouched) << "a lane that does not ask";
+        }
         for (int k = 0; k < found.count[l]; ++k) {
             found.column.push_back(column[k * lanes + l]);
             found.separation.insert(found.separation.end(),
