@@ -105,6 +105,14 @@ Estimate estimate_of(const std::vector<double>& fine, const std::vector<double>&
     return result;
 }
 
+Estimate ratio(const Estimate& a, const Estimate& b) {
+    const double mean = a.mean / b.mean;
+    const auto spread = [&](double of_a, double of_b) {
+        return std::abs(mean) * std::hypot(of_a / a.mean, of_b / b.mean);
+    };
+    return {mean, spread(a.scatter, b.scatter), spread(a.error, b.error)};
+}
+
 ValidationEntry entry_of(const Estimate& estimate, std::string quantity, std::string resolution) {
     ValidationEntry entry;
     entry.quantity = std::move(quantity);
@@ -112,6 +120,24 @@ ValidationEntry entry_of(const Estimate& estimate, std::string quantity, std::st
     entry.scatter = estimate.scatter;
     entry.error = estimate.error;
     entry.resolution = std::move(resolution);
+    return entry;
+}
+
+ValidationEntry held(const Estimate& computed, const std::string& quantity, const ReferenceValue& reference,
+                     const std::string& resolution, const std::string& remark) {
+    ValidationEntry entry = entry_of(computed, quantity, resolution);
+    entry.held_to = reference.origin;
+    entry.reference = reference.value;
+    entry.accepted = reference.accepted;
+    entry.remark = remark;
+    return entry;
+}
+
+ValidationEntry limited(const Estimate& computed, const std::string& quantity,
+                        const ReferenceValue& reference, const std::string& resolution,
+                        const std::string& remark) {
+    ValidationEntry entry = held(computed, quantity, reference, resolution, remark);
+    entry.kind = DeviationKind::at_most;
     return entry;
 }
 

@@ -67,10 +67,27 @@ Estimate estimate(const CaseRuns& runs, const std::string& id, const Quantity& q
 /// Without an error bar.
 Estimate mean_and_scatter(const std::vector<double>& values);
 Estimate estimate_of(const std::vector<double>& fine, const std::vector<double>& coarse);
+/// Of a / b of two ensembles; their lattices are independent.
+Estimate ratio(const Estimate& a, const Estimate& b);
 bool all_are_results(const CaseRuns& runs, const std::vector<std::string>& ids);
 
 /// Entry with the numbers of an estimate filled in.
 ValidationEntry entry_of(const Estimate& estimate, std::string quantity, std::string resolution);
+
+/// What a number is held against.
+struct ReferenceValue {
+    std::string origin = "-";  ///< none: only reported
+    double value = ValidationEntry::none;
+    double accepted = ValidationEntry::none;
+};
+
+/// Relative deviation from a reference; without an accepted one it is only reported.
+ValidationEntry held(const Estimate& computed, const std::string& quantity, const ReferenceValue& reference,
+                     const std::string& resolution, const std::string& remark = {});
+/// A number that must not exceed `reference.accepted`.
+ValidationEntry limited(const Estimate& computed, const std::string& quantity,
+                        const ReferenceValue& reference, const std::string& resolution,
+                        const std::string& remark = {});
 
 template <class Quantity>
 Estimate estimate(const CaseRuns& runs, const std::string& id, const Quantity& quantity) {

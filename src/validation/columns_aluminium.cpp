@@ -91,28 +91,6 @@ ColumnFigures figures_of(const CaseRuns& runs, const std::string& id, double spa
     return figures;
 }
 
-struct Reference {
-    std::string origin;
-    double value;
-    double accepted = ValidationEntry::none;
-};
-
-void hold(CaseReport& report, const Estimate& computed, const std::string& quantity,
-          const Reference& reference, const std::string& resolution, const std::string& remark = "") {
-    ValidationEntry entry = entry_of(computed, quantity, resolution);
-    entry.held_to = reference.origin;
-    entry.reference = reference.value;
-    entry.accepted = reference.accepted;
-    entry.remark = remark;
-    report.entries.push_back(entry);
-}
-
-void limit(CaseReport& report, const Estimate& computed, const std::string& quantity, double at_most,
-           const std::string& resolution, const std::string& held_to) {
-    hold(report, computed, quantity, {held_to, ValidationEntry::none, at_most}, resolution);
-    report.entries.back().kind = DeviationKind::at_most;
-}
-
 /// Bands only at the spacing that is judged; the coarser ones show the way there.
 void add_column(CaseReport& report, const ColumnFigures& figures, double friction_angle, double spacing,
                 bool judged) {
@@ -120,25 +98,29 @@ void add_column(CaseReport& report, const ColumnFigures& figures, double frictio
     const std::string what = fmt::format(", phi {}", friction_angle);
     const auto band = [&](double accepted) { return judged ? accepted : ValidationEntry::none; };
     const double front_band = (measured_end - measured_front) / measured_front;
-    limit(report, figures.misfit, "misfit of the final surface by top, share of the area" + what, band(0.035),
-          at, experiment);
-    hold(report, figures.gate_height, "height at the gate, m" + what,
-         {experiment, measured_gate_height, band(0.08)}, at);
-    hold(report, figures.front_by_top, "front 4 mm thick by top, L0" + what,
-         {experiment, measured_front, band(front_band)}, at);
-    hold(report, figures.front_by_mass, "front 4 mm thick by mass, L0" + what,
-         {experiment, measured_front, band(front_band)}, at);
+    report.entries.push_back(limited(figures.misfit,
+                                     "misfit of the final surface by top, share of the area" + what,
+                                     {experiment, ValidationEntry::none, band(0.035)}, at));
+    report.entries.push_back(held(figures.gate_height, "height at the gate, m" + what,
+                                  {experiment, measured_gate_height, band(0.08)}, at));
+    report.entries.push_back(held(figures.front_by_top, "front 4 mm thick by top, L0" + what,
+                                  {experiment, measured_front, band(front_band)}, at));
+    report.entries.push_back(held(figures.front_by_mass, "front 4 mm thick by mass, L0" + what,
+                                  {experiment, measured_front, band(front_band)}, at));
 }
 
 /// Not published: trials made with these programs for this project (README.md).
 void add_other_codes(CaseReport& report, const ColumnFigures& figures) {
     const std::string at = resolution_of(0.002);
-    hold(report, figures.front_by_mass, "front 4 mm thick by mass, L0, phi 21.9",
-         {"Basilisk, cells of 2 mm, same strength", 2.235}, at, "own trial, not published");
-    hold(report, figures.front_by_mass, "front 4 mm thick by mass, L0, phi 21.9",
-         {"SPHinXsys, dl = 2 mm, 2 % weaker", 2.01}, at, "own trial, not published");
-    hold(report, figures.front_by_top, "front 4 mm thick by top, L0, phi 21.9",
-         {"SPHinXsys, dl = 2 mm, 2 % weaker", 2.15}, at, "own trial, not published");
+    report.entries.push_back(held(figures.front_by_mass, "front 4 mm thick by mass, L0, phi 21.9",
+                                  {"Basilisk, cells of 2 mm, same strength", 2.235}, at,
+                                  "own trial, not published"));
+    report.entries.push_back(held(figures.front_by_mass, "front 4 mm thick by mass, L0, phi 21.9",
+                                  {"SPHinXsys, dl = 2 mm, 2 % weaker", 2.01}, at,
+                                  "own trial, not published"));
+    report.entries.push_back(held(figures.front_by_top, "front 4 mm thick by top, L0, phi 21.9",
+                                  {"SPHinXsys, dl = 2 mm, 2 % weaker", 2.15}, at,
+                                  "own trial, not published"));
 }
 
 void add_overshoot(CaseReport& report, const Estimate& misfit, const Estimate& front) {
@@ -162,10 +144,11 @@ void add_noise(CaseReport& report, const Snapshot& snapshot, const std::string& 
     const std::string when = fmt::format(" at {:.3f} s, rho g H ({})", snapshot.time_s, scheme);
     const std::string at = resolution_of(spacing);
     const double none = ValidationEntry::none;
-    limit(report, {noise.local, none, none}, "noise of the pressure between neighbours" + when,
-          judged ? 0.02 : none, at, "smooth field");
-    hold(report, {noise.from_lithostatic, none, none}, "pressure less rho g depth, rms" + when,
-         {"lithostatic", none}, at);
+    report.entries.push_back(limited({noise.local, none, none},
+                                     "noise of the pressure between neighbours" + when,
+                                     {"smooth field", none, judged ? 0.02 : none}, at));
+    report.entries.push_back(held({noise.from_lithostatic, none, none},
+                                  "pressure less rho g depth, rms" + when, {"lithostatic", none}, at));
 }
 
 Figure surfaces_figure(const std::vector<Snapshot>& snapshots, double spacing) {
@@ -202,10 +185,11 @@ void add_schemes(CaseReport& report, const CaseRuns& runs, const Surface& measur
         add_noise(report, snapshots.front(), scheme, spacing, judged);
         add_noise(report, snapshots.back(), scheme, spacing, judged);
         const double off = misfit({snapshot_surface(snapshots.back(), spacing), 2.0 * spacing}, measured);
-        hold(report, {off, ValidationEntry::none, ValidationEntry::none},
-             fmt::format("misfit of the surface by top at {:.3f} s, share of the area ({})",
-                         snapshots.back().time_s, scheme),
-             {experiment, ValidationEntry::none}, resolution_of(spacing));
+        report.entries.push_back(
+            held({off, ValidationEntry::none, ValidationEntry::none},
+                 fmt::format("misfit of the surface by top at {:.3f} s, share of the area ({})",
+                             snapshots.back().time_s, scheme),
+                 {experiment, ValidationEntry::none}, resolution_of(spacing)));
         if (judged) report.figures.push_back(surfaces_figure(snapshots, spacing));
     }
 }

@@ -72,22 +72,6 @@ std::vector<PlannedRun> plan_run_out(bool quick) {
     return plan;
 }
 
-struct Reference {
-    std::string origin;
-    double value;
-    double accepted = none;
-};
-
-void hold(CaseReport& report, const Estimate& computed, const std::string& quantity,
-          const Reference& reference, const std::string& resolution, const std::string& remark = "") {
-    ValidationEntry entry = entry_of(computed, quantity, resolution);
-    entry.held_to = reference.origin;
-    entry.reference = reference.value;
-    entry.accepted = reference.accepted;
-    entry.remark = remark;
-    report.entries.push_back(entry);
-}
-
 Estimate less_one(Estimate estimate) {
     estimate.mean -= 1.0;
     return estimate;
@@ -100,8 +84,9 @@ void add_lube(CaseReport& report, const Spread& spread, bool quick) {
         const bool judged = a >= 0.5 && a <= 10.0;
         std::string remark = fmt::format("contiguous front {:.2f}", spread.contiguous[k].mean);
         if (!judged) remark += "; outside the range that is judged";
-        hold(report, spread.front[k], fmt::format("L_inf/L0, phi {}, a = {}", spread.friction_angle, a),
-             {"Lube et al. 2005", lube_front(a), judged ? 0.08 : none}, resolution_of(quick), remark);
+        report.entries.push_back(
+            held(spread.front[k], fmt::format("L_inf/L0, phi {}, a = {}", spread.friction_angle, a),
+                 {"Lube et al. 2005", lube_front(a), judged ? 0.08 : none}, resolution_of(quick), remark));
     }
 }
 
@@ -121,10 +106,11 @@ void add_lajeunesse(CaseReport& report, const Spread& spread, const std::vector<
     for (std::size_t k = 0; k < spread.aspects.size(); ++k) {
         const double a = spread.aspects[k];
         const bool judged = spread.friction_angle == 27.0 && a <= 2.0;
-        hold(report, less_one(spread.front[k]),
-             fmt::format("(L_inf - L0)/L0, phi {}, a = {}", spread.friction_angle, a),
-             {"Lajeunesse et al. 2005, law", lajeunesse_run_out(a), judged ? 0.15 : none},
-             resolution_of(false), beside(spread.contiguous[k].mean - 1.0, local_value(points, a)));
+        report.entries.push_back(
+            held(less_one(spread.front[k]),
+                 fmt::format("(L_inf - L0)/L0, phi {}, a = {}", spread.friction_angle, a),
+                 {"Lajeunesse et al. 2005, law", lajeunesse_run_out(a), judged ? 0.15 : none},
+                 resolution_of(false), beside(spread.contiguous[k].mean - 1.0, local_value(points, a))));
     }
 }
 
@@ -132,8 +118,9 @@ void add_heights(CaseReport& report, const Spread& spread, const std::string& fo
     const auto heights = read_points(folder + "/lajeunesse2005_height_digitised.csv");
     for (std::size_t k = 0; k < spread.aspects.size(); ++k) {
         const double a = spread.aspects[k];
-        hold(report, spread.height[k], fmt::format("H_inf/L0, phi 27, a = {}", a),
-             {"Lajeunesse et al. 2005, points near a", local_value(heights, a), 0.12}, resolution_of(false));
+        report.entries.push_back(held(
+            spread.height[k], fmt::format("H_inf/L0, phi 27, a = {}", a),
+            {"Lajeunesse et al. 2005, points near a", local_value(heights, a), 0.12}, resolution_of(false)));
     }
 }
 
@@ -142,8 +129,9 @@ void add_kumar(CaseReport& report, const CaseRuns& runs) {
     for (const auto& [a, run_out] : kumar) columns.push_back(a);
     const Spread spread = spread_of(runs, kumar_friction_angle, columns);
     for (std::size_t k = 0; k < columns.size(); ++k)
-        hold(report, less_one(spread.front[k]), fmt::format("(L_inf - L0)/L0, phi 22.2, a = {}", columns[k]),
-             {"Kumar 2015, Mohr-Coulomb MPM", kumar[k].second}, resolution_of(false));
+        report.entries.push_back(
+            held(less_one(spread.front[k]), fmt::format("(L_inf - L0)/L0, phi 22.2, a = {}", columns[k]),
+                 {"Kumar 2015, Mohr-Coulomb MPM", kumar[k].second}, resolution_of(false)));
 }
 
 void add_mangeney(CaseReport& report, const CaseRuns& runs) {
@@ -153,9 +141,10 @@ void add_mangeney(CaseReport& report, const CaseRuns& runs) {
     const Estimate contiguous = estimate(runs, "mangeney", [&](const std::string& run) {
         return runs.run(run).measures.run_out_m - mangeney_length;
     });
-    hold(report, front, fmt::format("front past the gate, m, phi {:.1f}, a = 0.7", mangeney_friction_angle()),
-         {"Mangeney et al. 2010", mangeney_front, 0.1}, resolution_of(false),
-         fmt::format("contiguous front {:.3f}", contiguous.mean));
+    report.entries.push_back(
+        held(front, fmt::format("front past the gate, m, phi {:.1f}, a = 0.7", mangeney_friction_angle()),
+             {"Mangeney et al. 2010", mangeney_front, 0.1}, resolution_of(false),
+             fmt::format("contiguous front {:.3f}", contiguous.mean)));
 }
 
 /// Inclination of the plane on which the columns begin to slide, from the velocities.
@@ -166,8 +155,9 @@ void add_failure_plane(CaseReport& report, const CaseRuns& runs, double friction
         const std::vector<Snapshot> snapshots = runs.snapshots(run);
         return snapshots.empty() ? none : degrees(discontinuity_angle(snapshots.front(), foot));
     });
-    hold(report, angle, fmt::format("initial failure plane, deg, phi {}, a = {}", friction_angle, aspect),
-         {"45 + phi/2", 45.0 + 0.5 * friction_angle, 5.0}, resolution_of(quick));
+    report.entries.push_back(
+        held(angle, fmt::format("initial failure plane, deg, phi {}, a = {}", friction_angle, aspect),
+             {"45 + phi/2", 45.0 + 0.5 * friction_angle, 5.0}, resolution_of(quick)));
     report.entries.back().kind = DeviationKind::absolute;
 }
 

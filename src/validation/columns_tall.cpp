@@ -112,29 +112,12 @@ Estimate front_of(const CaseRuns& runs, const TallColumn& column) {
                     [&](const std::string& run) { return runs.run(run).measures.front_mass_995_m; });
 }
 
-/// Ratio of two numbers whose errors have nothing to do with each other.
-Estimate ratio_of(const Estimate& a, const Estimate& b) {
-    const double ratio = a.mean / b.mean;
-    return {ratio, ratio * std::hypot(a.scatter / a.mean, b.scatter / b.mean),
-            ratio * std::hypot(a.error / a.mean, b.error / b.mean)};
-}
-
-void hold(CaseReport& report, const Estimate& computed, const std::string& quantity,
-          const std::string& held_to, double reference, double accepted, const std::string& resolution) {
-    ValidationEntry entry = entry_of(computed, quantity, resolution);
-    entry.held_to = held_to;
-    entry.reference = reference;
-    entry.accepted = accepted;
-    report.entries.push_back(entry);
-}
-
 /// "b goes further than a" as a number: run-out a / run-out b, at most 1.
 void add_order(CaseReport& report, const CaseRuns& runs, const TallColumn& shorter, const TallColumn& further,
                const std::string& why, bool quick) {
-    hold(report, ratio_of(front_of(runs, shorter), front_of(runs, further)),
-         fmt::format("run-out of {} / {}", shorter.label, further.label), "paper, Fig. 7: " + why, none, 1.0,
-         resolution_of(quick));
-    report.entries.back().kind = DeviationKind::at_most;
+    report.entries.push_back(limited(ratio(front_of(runs, shorter), front_of(runs, further)),
+                                     fmt::format("run-out of {} / {}", shorter.label, further.label),
+                                     {"paper, Fig. 7: " + why, none, 1.0}, resolution_of(quick)));
 }
 
 void add_laws(CaseReport& report, const CaseRuns& runs, bool quick) {
@@ -145,10 +128,12 @@ void add_laws(CaseReport& report, const CaseRuns& runs, bool quick) {
         front.scatter /= column.length;
         front.error /= column.length;
         const std::string quantity = fmt::format("L_inf/L0, {}, a = {}", column.label, aspect);
-        hold(report, front, quantity, "Lube et al. 2005", lube_front(aspect), none, resolution_of(quick));
+        report.entries.push_back(
+            held(front, quantity, {"Lube et al. 2005", lube_front(aspect)}, resolution_of(quick)));
         if (column.id == "glass")
-            hold(report, front, quantity, "Lajeunesse et al. 2005, law", 1.0 + lajeunesse_run_out(aspect),
-                 none, resolution_of(quick));
+            report.entries.push_back(held(front, quantity,
+                                          {"Lajeunesse et al. 2005, law", 1.0 + lajeunesse_run_out(aspect)},
+                                          resolution_of(quick)));
     }
 }
 
@@ -166,15 +151,15 @@ void add_limits(CaseReport& report, const CaseRuns& runs, const TallColumn& colu
         const Measures measures = runs.run(run).measures;
         return measures.deposit_area_m2 / measures.source_area_m2;
     });
-    hold(report, area, "area of the deposit / of the column, " + column.label, "exact", 1.0, 0.02,
-         resolution_of(quick));
+    report.entries.push_back(held(area, "area of the deposit / of the column, " + column.label,
+                                  {"exact", 1.0, 0.02}, resolution_of(quick)));
     const Estimate angle = estimate(runs, column.id, [&](const std::string& run) {
         return surface_angle(deposit_surface(runs.deposit(run)), runs.run(run).measures.front_mass_995_m);
     });
     const double repose = degrees(std::atan(std::sin(radians(column.friction_angle))));
-    hold(report, angle, "slope of the middle half of the deposit, deg, " + column.label,
-         fmt::format("angle of repose {:.1f} deg", repose), none, repose, resolution_of(quick));
-    report.entries.back().kind = DeviationKind::at_most;
+    report.entries.push_back(limited(angle, "slope of the middle half of the deposit, deg, " + column.label,
+                                     {fmt::format("angle of repose {:.1f} deg", repose), none, repose},
+                                     resolution_of(quick)));
 }
 
 /// Distance along the plane and height normal to it, over sqrt(S).
@@ -210,9 +195,9 @@ void add_planes(CaseReport& report, const CaseRuns& runs) {
     const std::vector<TallColumn> steeper = planes();
     for (std::size_t k = 1; k < steeper.size(); ++k)
         add_order(report, runs, steeper[k - 1], steeper[k], "steeper plane", false);
-    hold(report, ratio_of(front_of(runs, leaning(15)), front_of(runs, on_plane(15))),
-         "run-out of a column that leans with the plane of 15 deg / upright", "ours", none, none,
-         resolution_of(false));
+    report.entries.push_back(held(ratio(front_of(runs, leaning(15)), front_of(runs, on_plane(15))),
+                                  "run-out of a column that leans with the plane of 15 deg / upright",
+                                  {"ours"}, resolution_of(false)));
     report.figures.push_back(figure_of(runs, steeper, "planes", "Quartz sand on planes"));
 }
 

@@ -38,7 +38,7 @@ Estimate coarse_mean(const CaseRuns& runs, const std::string& id, double Measure
 void add_fronts(CaseReport& report, const CaseRuns& runs, bool quick) {
     const double spacing = spacing_of(quick);
     for (const Front& front : fronts) {
-        Reference finest{};
+        ReferenceValue finest{};
         if (finest_is_there(runs, quick)) {
             finest = {"own run, dl = 0.6 mm", runs.run(finest_run).measures.*front.value};
             report.entries.push_back(held(exact(finest.value), front.what, {}, at_spacing(finest_spacing)));

@@ -79,7 +79,8 @@ void add_arrivals(CaseReport& report, const CaseRuns& runs, const Box& box, cons
     const Estimate mass =
         estimate(runs, id, [&](const std::string& run) { return passes_toe(runs.series(run)); });
     // The datum is not known beforehand: the one that fails is shown, not judged.
-    const Reference frame{"the paper, frame (a)", box.arrival, base ? arrival_band : ValidationEntry::none};
+    const ReferenceValue frame{"the paper, frame (a)", box.arrival,
+                               base ? arrival_band : ValidationEntry::none};
     report.entries.push_back(held(arrival, "first soil on the bed" + where, frame, at,
                                   base ? "the datum that reproduces the paper"
                                        : "not judged: the paper's time belongs to the other datum (README)"));
@@ -116,7 +117,7 @@ Sequence sequence_in(const CaseRuns& runs, const Box& box, const std::string& ru
 /// `of(quantity)` makes the number: over an ensemble, or of one run.
 template <class Of>
 void add_sequence(CaseReport& report, const Box& box, const std::string& at, const Of& of) {
-    const Reference order{"the paper, text", ValidationEntry::none, 0.0};
+    const ReferenceValue order{"the paper, text", ValidationEntry::none, 0.0};
     const auto between = [&](const std::string& earlier, const std::string& later, double Sequence::*a,
                              double Sequence::*b) {
         report.entries.push_back(limited(of([=](const Sequence& s) { return s.*a - s.*b; }),

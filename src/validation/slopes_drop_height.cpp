@@ -151,7 +151,7 @@ void add_trends(CaseReport& report, const Series& series, bool quick) {
         rises_of_growth.push_back(
             {g.mean - before.mean, std::hypot(g.scatter, before.scatter), ValidationEntry::none});
     }
-    const Reference trend{"the paper, Fig. 12b", ValidationEntry::none, 2.0};
+    const ReferenceValue trend{"the paper, Fig. 12b", ValidationEntry::none, 2.0};
     const std::string slope = fmt::format("{:g} deg", series.slope_deg);
     report.entries.push_back(limited(
         exact(worst(falls)), "(b) greatest fall of L/sqrt(S) with H_d, in its standard error, " + slope,

@@ -9,23 +9,6 @@
 
 namespace runout::slopes {
 
-ValidationEntry held(const Estimate& computed, const std::string& quantity, const Reference& reference,
-                     const std::string& resolution, const std::string& remark) {
-    ValidationEntry entry = entry_of(computed, quantity, resolution);
-    entry.held_to = reference.origin;
-    entry.reference = reference.value;
-    entry.accepted = reference.accepted;
-    entry.remark = remark;
-    return entry;
-}
-
-ValidationEntry limited(const Estimate& computed, const std::string& quantity, const Reference& reference,
-                        const std::string& resolution, const std::string& remark) {
-    ValidationEntry entry = held(computed, quantity, reference, resolution, remark);
-    entry.kind = DeviationKind::at_most;
-    return entry;
-}
-
 Estimate exact(double value) {
     return {value, ValidationEntry::none, ValidationEntry::none};
 }
@@ -38,14 +21,6 @@ Estimate run_out(const CaseRuns& runs, const std::string& id) {
     return estimate(runs, id, [&](const std::string& run) {
         return front_of(runs, run) / std::sqrt(runs.run(run).measures.source_area_m2);
     });
-}
-
-Estimate ratio(const Estimate& a, const Estimate& b) {
-    const double mean = a.mean / b.mean;
-    const auto spread = [&](double of_a, double of_b) {
-        return std::abs(mean) * std::hypot(of_a / a.mean, of_b / b.mean);
-    };
-    return {mean, spread(a.scatter, b.scatter), spread(a.error, b.error)};
 }
 
 double front_of(const CaseRuns& runs, const std::string& run) {

@@ -7,20 +7,6 @@
 
 namespace runout::slopes {
 
-/// What a number is held against.
-struct Reference {
-    std::string origin = "-";  ///< none: only reported
-    double value = ValidationEntry::none;
-    double accepted = ValidationEntry::none;
-};
-
-/// Relative deviation from a reference; without an accepted one it is only reported.
-ValidationEntry held(const Estimate& computed, const std::string& quantity, const Reference& reference,
-                     const std::string& resolution, const std::string& remark = {});
-/// A number that must not exceed `reference.accepted`.
-ValidationEntry limited(const Estimate& computed, const std::string& quantity, const Reference& reference,
-                        const std::string& resolution, const std::string& remark = {});
-
 /// A number without scatter or error bar.
 Estimate exact(double value);
 
@@ -29,8 +15,6 @@ Estimate measured(const CaseRuns& runs, const std::string& id, double Measures::
 /// L_inf / sqrt(S) by the 99.5 % mass point, which is what "run-out" means in these cases unless it says
 /// otherwise: no threshold of thickness and no single grain decides it.
 Estimate run_out(const CaseRuns& runs, const std::string& id);
-/// Estimate of a / b of two ensembles; their lattices are independent.
-Estimate ratio(const Estimate& a, const Estimate& b);
 
 /// Of the run itself: the 99.5 % mass point.
 double front_of(const CaseRuns& runs, const std::string& run);
