@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <memory>
-#include <thread>
 
 #include "program/command.h"
 #include "program/interrupt.h"
+#include "program/jobs_option.h"
 #include "report/back_analysis_text.h"
 #include "store/store.h"
 #include "validation/back_analysis.h"
@@ -17,7 +17,7 @@ namespace {
 struct BackAnalysisArguments {
     std::string folder;
     std::string database = "back-analysis.db";
-    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    int jobs = default_jobs();
     bool quiet = false;
 };
 
@@ -58,10 +58,7 @@ void add_back_analysis_command(CLI::App& app, Command& command) {
                     "Database that takes the runs; what it holds is not repeated")
         ->type_name("PATH")
         ->capture_default_str();
-    sub->add_option("-j,--jobs", arguments->jobs, "Runs at a time")
-        ->type_name("number")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+    add_jobs_option(*sub, arguments->jobs);
     sub->add_flag("--quiet", arguments->quiet, "No log but errors");
     sub->callback([arguments, &command] { command = [arguments] { return back_analyse(*arguments); }; });
 }

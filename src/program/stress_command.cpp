@@ -6,11 +6,11 @@
 #include <charconv>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "core/input_error.h"
 #include "program/command.h"
 #include "program/interrupt.h"
+#include "program/jobs_option.h"
 #include "report/stress_table.h"
 #include "store/store.h"
 
@@ -23,7 +23,7 @@ struct StressArguments {
     std::vector<std::string> ranges;
     std::vector<std::string> settings;
     std::string database = "stress.db";
-    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    int jobs = default_jobs();
     bool quiet = false;
 };
 
@@ -119,10 +119,7 @@ void add_stress_command(CLI::App& app, Command& command) {
     sub->add_option("--db", arguments->database, "Database that takes the runs; made if absent")
         ->type_name("PATH")
         ->capture_default_str();
-    sub->add_option("-j,--jobs", arguments->jobs, "Runs at a time")
-        ->type_name("number")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+    add_jobs_option(*sub, arguments->jobs);
     sub->add_flag("--quiet", arguments->quiet, "No log but errors");
     sub->footer(axes_text());
     sub->callback([arguments, &command] { command = [arguments] { return stress(*arguments); }; });

@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "accuracy/cost_model.h"
 #include "accuracy/plan.h"
@@ -15,6 +13,7 @@
 #include "core/input_error.h"
 #include "program/command.h"
 #include "program/interrupt.h"
+#include "program/jobs_option.h"
 #include "program/progress_line.h"
 #include "program/slurm_job.h"
 #include "scene/scene.h"
@@ -35,7 +34,7 @@ struct SweepArguments {
     std::string study;
     std::string database = "sweep.db";
     std::string shard;
-    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    int jobs = default_jobs();
     bool dry_run = false;
     bool slurm = false;
     bool yes = false;
@@ -248,10 +247,7 @@ void add_sweep_command(CLI::App& app, Command& command) {
     sub->add_option("--db", arguments->database, "Database that takes the runs")
         ->type_name("PATH")
         ->capture_default_str();
-    sub->add_option("-j,--jobs", arguments->jobs, "Scenarios at a time, each on one thread")
-        ->type_name("number")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+    add_jobs_option(*sub, arguments->jobs);
     sub->add_option("--shard", arguments->shard,
                     "Only a part: index/count, counted from 0, for many machines")
         ->type_name("i/n");

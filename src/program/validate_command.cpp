@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <thread>
 
 #include "core/input_error.h"
 #include "program/command.h"
 #include "program/interrupt.h"
+#include "program/jobs_option.h"
 #include "report/validation_page.h"
 #include "store/store.h"
 #include "validation/run_suite.h"
@@ -25,7 +25,7 @@ struct ValidateArguments {
     std::string cases = "cases";
     std::string database = "validation.db";
     std::string page;
-    int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    int jobs = default_jobs();
     bool quick = false;
     bool quiet = false;
 };
@@ -136,10 +136,7 @@ void add_validate_command(CLI::App& app, Command& command) {
         ->capture_default_str();
     sub->add_option("-o,--output", arguments->page, "Write a Markdown page, with pictures beside it")
         ->type_name("PATH");
-    sub->add_option("-j,--jobs", arguments->jobs, "Runs at a time")
-        ->type_name("number")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+    add_jobs_option(*sub, arguments->jobs);
     sub->add_flag("--quiet", arguments->quiet, "No log but errors");
     sub->callback([arguments, &command] { command = [arguments] { return validate(*arguments); }; });
 }
