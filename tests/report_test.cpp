@@ -156,10 +156,12 @@ Json without_effects(const std::string& text) {
 }
 
 TEST(RunTable, JsonIsAnArrayOfTheSameObjects) {
-    const Json json = Json::parse(run_table({settled_run(), failed_run()}, TableFormat::json));
+    const StoredRun settled = settled_run();  // a second one would have another time of its end
+    const StoredRun failed = failed_run();
+    const Json json = Json::parse(run_table({settled, failed}, TableFormat::json));
     ASSERT_EQ(json.size(), 2U);
-    EXPECT_EQ(json[0], without_effects(run_json(settled_run())));
-    EXPECT_EQ(json[1], without_effects(run_json(failed_run())));
+    EXPECT_EQ(json[0], without_effects(run_json(settled)));
+    EXPECT_EQ(json[1], without_effects(run_json(failed)));
     EXPECT_EQ(Json::parse(run_table({}, TableFormat::json)), Json::array());
 }
 
