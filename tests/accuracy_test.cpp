@@ -35,8 +35,9 @@ TEST(AccuracyTarget, ReadsSharesAndLengths) {
 
 TEST(AccuracyTarget, RefusesWhatIsNeither) {
     for (const char* text : {"", "five", "5", "5 mm", "0%", "-1%", "100%", "nan%", "inf m", "0 m", "5 % m"})
-        EXPECT_TRUE(contains(refusal([&] { accuracy_target(text, place); }), "case.toml, line 7")) << text;
-    EXPECT_TRUE(contains(refusal([] { accuracy_target("5", place); }), "has no unit"));
+        EXPECT_TRUE(contains(input_error([&] { accuracy_target(text, place); }), "case.toml, line 7"))
+            << text;
+    EXPECT_TRUE(contains(input_error([] { accuracy_target("5", place); }), "has no unit"));
 }
 
 TEST(AccuracyTarget, AShareIsOfTheSizeWhereNothingRunsOut) {
@@ -114,7 +115,8 @@ TEST(Survey, TheShippedOneIsWhole) {
 }
 
 TEST(Survey, RefusesWhatIsNotOne) {
-    EXPECT_TRUE(contains(refusal([] { parse_survey("scene,lattices\na,b\n", "x.csv"); }), "x.csv, line 2"));
+    EXPECT_TRUE(
+        contains(input_error([] { parse_survey("scene,lattices\na,b\n", "x.csv"); }), "x.csv, line 2"));
     EXPECT_TRUE(parse_survey("# nothing\n", "x.csv").empty());
 }
 
@@ -278,7 +280,7 @@ TEST(Plan, RefusesATargetThatCannotBeMetAndNamesTheBest) {
     PlanOptions options;
     options.target = AccuracyTarget{1e-6, 0};
     options.asked = place;
-    const std::string sentence = refusal([&] { plan_run(small_column(), options); });
+    const std::string sentence = input_error([&] { plan_run(small_column(), options); });
     EXPECT_TRUE(contains(sentence, "case.toml, line 7")) << sentence;
     EXPECT_TRUE(contains(sentence, "cannot be met")) << sentence;
     EXPECT_TRUE(contains(sentence, "% (")) << sentence;

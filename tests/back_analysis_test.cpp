@@ -39,7 +39,7 @@ class BackAnalysisTest : public StoreTest {
         std::ofstream(fs::path(folder) / name) << text;
     }
     [[nodiscard]] std::string refusal_to_read() const {
-        return refusal([this] { static_cast<void>(read_back_analysis(folder)); });
+        return input_error([this] { static_cast<void>(read_back_analysis(folder)); });
     }
 
     std::string folder;
@@ -99,7 +99,7 @@ TEST_F(BackAnalysisTest, RefusesNumbersThatAreNoneAndTooManyCombinations) {
     write("ranges.csv", "key,values,source,firmness\nmaterial.friction_angle_deg," + many +
                             ",x,found\nsource.base_angle_deg," + many + ",x,found\n");
     const BackAnalysis analysis = read_back_analysis(folder);
-    EXPECT_TRUE(contains(refusal([&] { static_cast<void>(combinations(analysis)); }), "1000"));
+    EXPECT_TRUE(contains(input_error([&] { static_cast<void>(combinations(analysis)); }), "1000"));
 }
 
 TEST_F(BackAnalysisTest, RunsWhatIsMissingOnceAndTellsTheRange) {

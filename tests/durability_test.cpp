@@ -147,7 +147,7 @@ TEST_F(StoreTest, AFullDiskIsSaidAndCostsNothingThatWasStored) {
         add(example_scene(), example_result());
         RunResult large = example_result();
         large.series.resize(100'000, large.series.front());
-        const std::string sentence = refusal([&] { add(example_scene(), large); });
+        const std::string sentence = input_error([&] { add(example_scene(), large); });
         if (!contains(sentence, path + ": does not fit on the disk; free some space")) return false;
         const bool whole = raw().execAndGet("PRAGMA integrity_check").getString() == "ok";
         const bool kept = Store(path, Store::Mode::read).runs().size() == 1;

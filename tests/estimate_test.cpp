@@ -188,14 +188,14 @@ TEST(HeldOutCheck, CountsEveryRunOnceAndFindsTheNoise) {
     EXPECT_NEAR(check.left_out_error_rms, check.error_rms, 0.03);
     EXPECT_LT(check.within_68, check.within_95);
     EXPECT_TRUE(contains(held_out_text(check), "Every fifth run held out"));
-    EXPECT_TRUE(contains(refusal([] { (void)check_held_out(chart_of(24, 1, 0.1), "x.db"); }),
+    EXPECT_TRUE(contains(input_error([] { (void)check_held_out(chart_of(24, 1, 0.1), "x.db"); }),
                          "x.db: holds 24 settled runs that may be used; holding out runs needs 25"));
 }
 
 TEST(RunOutChart, RefusesOutsideTheRunsAndNamesTheVariable) {
     const RunOutChart chart(chart_of(200, 1, 0.1), "x.db");
     const auto no = [&](const ChartQuestion& question) {
-        return refusal([&] { (void)chart.estimate(question); });
+        return input_error([&] { (void)chart.estimate(question); });
     };
     EXPECT_EQ(no(at(60, 3, 0.4, 32)), "");
     EXPECT_TRUE(contains(no(at(80, 3, 0.4, 32)), "slope angle = 80: lies outside the runs, which have 45"));
@@ -216,7 +216,7 @@ TEST(RunOutChart, WhatDoesNotVaryIsNoVariable) {
     EXPECT_FALSE(chart.varies(ChartVariable::slope_angle));
     EXPECT_NEAR(chart.estimate(at(ChartQuestion::not_given, 3, 0.4, 32)).place[0], 60, 1e-12);
     EXPECT_EQ(chart.estimate(at(60, 3, 0.4, 32)).run_out, chart.estimate(at(60.001, 3, 0.4, 32)).run_out);
-    const std::string sentence = refusal([&] { (void)chart.estimate(at(61, 3, 0.4, 32)); });
+    const std::string sentence = input_error([&] { (void)chart.estimate(at(61, 3, 0.4, 32)); });
     EXPECT_TRUE(contains(sentence, "slope angle = 61: cannot be estimated: all 60 runs have 60 deg"));
 }
 
@@ -236,16 +236,16 @@ TEST(RunOutChart, BetweenTheValuesOfAGridTheIntervalIsThatOfLeavingAValueOut) {
     EXPECT_LT(std::abs(between.run_out - law({64, 3, 0.4, 32}) - bent(64)), between.half_width_95);
     for (ChartPoint& one : points.points) one.place[0] = one.place[0] < 60 ? 45 : 75;
     const RunOutChart two(points, "x.db");
-    EXPECT_EQ(refusal([&] { (void)two.estimate(at(45, 3, 0.4, 32)); }), "");
+    EXPECT_EQ(input_error([&] { (void)two.estimate(at(45, 3, 0.4, 32)); }), "");
     EXPECT_TRUE(
-        contains(refusal([&] { (void)two.estimate(at(50, 3, 0.4, 32)); }),
+        contains(input_error([&] { (void)two.estimate(at(50, 3, 0.4, 32)); }),
                  "slope angle = 50: lies between 45 deg and 75 deg, and the runs have no other value"));
 }
 
 TEST(RunOutChart, TooFewRunsAreSaid) {
-    EXPECT_TRUE(contains(refusal([] { const RunOutChart chart(chart_of(19, 1, 0.1), "x.db"); }),
+    EXPECT_TRUE(contains(input_error([] { const RunOutChart chart(chart_of(19, 1, 0.1), "x.db"); }),
                          "x.db: holds 19 settled runs that may be used; a chart needs 20"));
-    EXPECT_EQ(refusal([] { const RunOutChart chart(chart_of(20, 1, 0.1), "x.db"); }), "");
+    EXPECT_EQ(input_error([] { const RunOutChart chart(chart_of(20, 1, 0.1), "x.db"); }), "");
 }
 
 // ---- which runs

@@ -61,7 +61,8 @@ TEST_F(ExportTest, ARunWithNeitherIsRefused) {
     RunResult result = example_result();
     result.frames.clear();
     const RunData run = stored(result);
-    EXPECT_TRUE(contains(refusal([&] { static_cast<void>(vtk_files(run, {})); }), "has no particles stored"));
+    EXPECT_TRUE(
+        contains(input_error([&] { static_cast<void>(vtk_files(run, {})); }), "has no particles stored"));
 }
 
 TEST_F(ExportTest, TablesReadBackToTheBit) {

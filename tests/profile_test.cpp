@@ -6,25 +6,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/input_error.h"
 #include "core/units.h"
+#include "said.h"
 
 using namespace runout;
 
 namespace {
-
-std::string error_of(const auto& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 Profile profile_of(const std::vector<Vec2>& points, const ProfileOptions& options = {}) {
     return make_profile(points, {}, "section.csv", options);
@@ -51,7 +38,7 @@ class ProfileFiles : public testing::Test {
     [[nodiscard]] std::string path(const std::string& name) const { return (directory_ / name).string(); }
 
     [[nodiscard]] std::string csv_error(const std::string& text) const {
-        return error_of([&] { read_profile_csv(write("section.csv", text), {}); });
+        return input_error([&] { read_profile_csv(write("section.csv", text), {}); });
     }
 
   private:
@@ -186,40 +173,40 @@ TEST(Profile, InnerPointsOfAVerticalFaceAreDropped) {
 }
 
 TEST(Profile, RefusesWhatIsNoSection) {
-    EXPECT_PRED2(contains, error_of([] { profile_of({}); }), "has no points");
-    EXPECT_PRED2(contains, error_of([] { profile_of({{0, 0}}); }), "one point only");
-    EXPECT_PRED2(contains, error_of([] { profile_of({{0, 3}, {1, 2}, {0.5, 1}}); }), "overhang");
-    EXPECT_PRED2(contains, error_of([] {
+    EXPECT_PRED2(contains, input_error([] { profile_of({}); }), "has no points");
+    EXPECT_PRED2(contains, input_error([] { profile_of({{0, 0}}); }), "one point only");
+    EXPECT_PRED2(contains, input_error([] { profile_of({{0, 3}, {1, 2}, {0.5, 1}}); }), "overhang");
+    EXPECT_PRED2(contains, input_error([] {
                      profile_of({{0, 3}, {0, 3}, {1, 1}});
                  }),
                  "repeats the point before it");
-    EXPECT_PRED2(contains, error_of([] {
+    EXPECT_PRED2(contains, input_error([] {
                      profile_of({{0, 3}, {0, 1}, {0, 2}, {1, 1}});
                  }),
                  "goes up and down at the chainage 0");
-    EXPECT_PRED2(contains, error_of([] {
+    EXPECT_PRED2(contains, input_error([] {
                      profile_of({{0, -3}, {0, 31}, {6.6e-311, -23}, {2350, -2}});
                  }),
                  "goes up and down at the chainage 0");
-    EXPECT_PRED2(contains, error_of([] { profile_of({{0, 3}, {1, 5}, {2, 3}}); }), "descends neither way");
-    EXPECT_PRED2(contains, error_of([] {
+    EXPECT_PRED2(contains, input_error([] { profile_of({{0, 3}, {1, 5}, {2, 3}}); }), "descends neither way");
+    EXPECT_PRED2(contains, input_error([] {
                      profile_of({{0, 3}, {1, std::nan("")}, {2, 0}});
                  }),
                  "not a finite number");
-    EXPECT_PRED2(contains, error_of([] { profile_of({{0, 3}, {INFINITY, 1}}); }), "not a finite number");
+    EXPECT_PRED2(contains, input_error([] { profile_of({{0, 3}, {INFINITY, 1}}); }), "not a finite number");
 }
 
 TEST(Profile, RefusesToeOrCrestBesideTheSection) {
     ProfileOptions options;
     options.toe_chainage_m = 201;
-    EXPECT_PRED2(contains, error_of([&] { profile_of(cut, options); }),
+    EXPECT_PRED2(contains, input_error([&] { profile_of(cut, options); }),
                  "section.csv: section.toe_chainage_m = 201: is not on the section; give a chainage between "
                  "0 and 200");
     options = {};
     options.crest_chainage_m = -1;
     std::vector<Vec2> mirrored;
     for (auto p = cut.rbegin(); p != cut.rend(); ++p) mirrored.emplace_back(300 - p->x(), p->y());
-    EXPECT_PRED2(contains, error_of([&] { profile_of(mirrored, options); }),
+    EXPECT_PRED2(contains, input_error([&] { profile_of(mirrored, options); }),
                  "section.crest_chainage_m = -1: is not on the section; give a chainage between 100 and 300");
 }
 
@@ -262,9 +249,9 @@ TEST_F(ProfileFiles, CsvErrorsNameFileLineColumnAndValue) {
                  "line 4: chainage_m = 2: goes back behind 3");
     EXPECT_PRED2(contains, csv_error(header + "0,2\n3,1\n3,1\n"),
                  "line 4: chainage_m = 3: repeats the point before it");
-    EXPECT_PRED2(contains, error_of([&] { read_profile_csv(path("none.csv"), {}); }),
+    EXPECT_PRED2(contains, input_error([&] { read_profile_csv(path("none.csv"), {}); }),
                  "none.csv: does not exist");
-    EXPECT_PRED2(contains, error_of([&] {
+    EXPECT_PRED2(contains, input_error([&] {
                      read_profile_csv(std::filesystem::path(path("x")).parent_path().string(), {});
                  }),
                  "is a directory");

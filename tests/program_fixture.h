@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "said.h"
+
 // The real program, as a shell sees it: exit codes, what goes to which stream, what is left on the disk.
 
 namespace runout {
@@ -28,10 +30,6 @@ using Arguments = std::vector<std::string>;
 inline std::string text_of(const fs::path& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 struct Outcome {

@@ -6,11 +6,10 @@
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "core/input_error.h"
+#include "said.h"
 #include "scene/case_file.h"
 #include "scene/parameters.h"
 #include "scene/scene.h"
@@ -18,20 +17,6 @@
 namespace runout {
 
 namespace fs = std::filesystem;
-
-/// The sentence of the InputError that `action` throws; empty when it throws none.
-inline std::string input_error(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return {};
-}
-
-inline bool contains(const std::string& sentence, const std::string& part) {
-    return sentence.find(part) != std::string::npos;
-}
 
 /// A folder of its own for each test, with a section in it.
 class SceneTest : public testing::Test {

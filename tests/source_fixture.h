@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/input_error.h"
 #include "profile/profile.h"
+#include "said.h"
 #include "source/source.h"
 
 // Sections, descriptions of sources, and what every source must satisfy.
@@ -19,17 +19,8 @@ inline constexpr double face_angle = radians(70);
 inline constexpr double base_angle = radians(35);
 inline constexpr double scarp_angle = radians(80);
 
-inline bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 inline std::string error_of(const Profile& profile, const SourceSpec& spec) {
-    try {
-        derive_source(profile, spec);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+    return input_error([&] { derive_source(profile, spec); });
 }
 
 inline Profile profile_of(const std::vector<Vec2>& points) {

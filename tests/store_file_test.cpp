@@ -79,7 +79,7 @@ std::vector<std::string> write_at_once(const std::string& path, const std::vecto
     for (std::size_t w = 0; w < angles.size(); ++w)
         writers.emplace_back([&, w] {
             for (int i = 0; i < runs_each; ++i)
-                refused[w] += refusal([&] {
+                refused[w] += input_error([&] {
                     Scene scene = example_scene();
                     scene.material.friction_angle = angles[w] + i * 1e-3;
                     Store(path, Store::Mode::write).add(scene, example_result());
@@ -107,7 +107,7 @@ TEST_F(StoreTest, AWriterWaitsForTheOtherBeforeItBegins) {
         other.exec("COMMIT");
     });
     // Had it begun to read before, it could not go on to write, as what it has read is out of date.
-    const std::string refused = refusal([&] { store.add(example_scene(), example_result()); });
+    const std::string refused = input_error([&] { store.add(example_scene(), example_result()); });
     release.join();
     EXPECT_EQ(refused, "");
     EXPECT_EQ(count("run"), 1);
@@ -149,7 +149,7 @@ TEST_F(StoreTest, AReaderChangesNothing) {
 TEST_F(StoreTest, AskingForARunThatIsNotThereIsAnInputError) {
     add(example_scene(), example_result());
     const Store store(path, Store::Mode::read);
-    EXPECT_TRUE(contains(refusal([&] { (void)store.run(7); }), path + ": run_id = 7: no such run"));
+    EXPECT_TRUE(contains(input_error([&] { (void)store.run(7); }), path + ": run_id = 7: no such run"));
     EXPECT_TRUE(store.series(7).empty());
 }
 
@@ -228,7 +228,7 @@ TEST_F(ForeignFile, ImpossibleVersion) {
 TEST_F(StoreTest, DamageIsSaid) {
     add(example_scene(), example_result());
     fs::resize_file(path, fs::file_size(path) / 2);
-    const std::string sentence = refusal([&] { (void)Store(path, Store::Mode::read).runs(); });
+    const std::string sentence = input_error([&] { (void)Store(path, Store::Mode::read).runs(); });
     EXPECT_TRUE(contains(sentence, path + ": is damaged"));
 }
 
@@ -286,7 +286,7 @@ TEST_F(StoreTest, PermissionsAreFoundOnOpening) {
 TEST_F(StoreTest, AFileThatIsTakenAwayIsSaidAndNotWrittenToNowhere) {
     Store store(path, Store::Mode::write);
     fs::remove(path);
-    const std::string sentence = refusal([&] { store.add(example_scene(), example_result()); });
+    const std::string sentence = input_error([&] { store.add(example_scene(), example_result()); });
     EXPECT_TRUE(contains(sentence, "was moved or deleted while in use"));
 }
 
@@ -300,7 +300,7 @@ TEST_F(StoreTest, AWriteThatFailsMidwayIsSaidAndLosesNothing) {
         setrlimit(RLIMIT_FSIZE, &limit);
         RunResult large = example_result();
         large.series.resize(20'000);
-        const std::string sentence = refusal([&] { add(example_scene(), large); });
+        const std::string sentence = input_error([&] { add(example_scene(), large); });
         _exit(contains(sentence, path + ": cannot be read or written") ? 0 : 1);
     };
     EXPECT_EXIT(write_over_limit(), testing::ExitedWithCode(0), "");
@@ -321,7 +321,8 @@ TEST_F(StoreTest, ADatabaseThatCannotBeMadeLeavesNoEmptyFile) {
 
 TEST(StorageErrors, AreSentencesWhereTheDiskIsToBlameOnly) {
     const auto sentence = [](int code) {
-        return refusal([=] { throw_storage_error("results.db", SQLite::Exception("sqlite's words", code)); });
+        return input_error(
+            [=] { throw_storage_error("results.db", SQLite::Exception("sqlite's words", code)); });
     };
     EXPECT_EQ(sentence(SQLITE_FULL), "results.db: does not fit on the disk; free some space");
     EXPECT_EQ(sentence(SQLITE_BUSY),

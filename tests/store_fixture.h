@@ -5,12 +5,11 @@
 #include <stdlib.h>
 
 #include <filesystem>
-#include <functional>
 #include <iterator>
 #include <string>
 
-#include "core/input_error.h"
 #include "example_run.h"
+#include "said.h"
 #include "store/store.h"
 
 namespace runout {
@@ -45,23 +44,8 @@ class StoreTest : public testing::Test {
     std::string path;
 };
 
-/// The sentence of the InputError, or "" when there was none.
-inline std::string refusal(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return {};
-}
-
 inline std::string refusal_to_open(const std::string& path, Store::Mode mode) {
-    return refusal([&] { const Store store(path, mode); });
-}
-
-inline testing::AssertionResult contains(const std::string& text, const std::string& part) {
-    if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
-    return testing::AssertionFailure() << '"' << text << "\" does not contain \"" << part << '"';
+    return input_error([&] { const Store store(path, mode); });
 }
 
 }  // namespace runout

@@ -371,7 +371,7 @@ TEST_F(StoreTest, ListsTheRunsOnASection) {
     const Store store(path, Store::Mode::read);
     ASSERT_EQ(store.runs_on_section(2).size(), 1u);
     EXPECT_EQ(store.runs_on_section(2)[0].run_id, second);
-    EXPECT_TRUE(contains(refusal([&] { static_cast<void>(store.runs_on_section(3)); }), "3"));
+    EXPECT_TRUE(contains(input_error([&] { static_cast<void>(store.runs_on_section(3)); }), "3"));
 }
 
 // ---- one question, one row

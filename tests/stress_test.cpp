@@ -85,7 +85,7 @@ TEST_F(StoreTest, StressTakesSettingsOfARunAndNoOthers) {
     const auto points = stress_points(stress_axes(), 1, 5);
     Store store(path, Store::Mode::write);
     const auto with = [&](const std::string& key, const std::string& value) {
-        return refusal([&] {
+        return input_error([&] {
             run_stress(points, 5, store,
                        {.jobs = 1, .settings = {{key, value}}, .interrupt = nullptr, .on_run = {}});
         });
