@@ -81,20 +81,16 @@ void SleepWatch::find_growing(const Soil& soil) {
 }
 
 /// From each restless cell to its neighbours.
-void SleepWatch::spread() {
+void SleepWatch::spread(const Soil& soil) {
     set_all(disturbed_, restless_.size(), char{0});
-    const auto cell = [&](int column, int row) {
-        return static_cast<std::size_t>(grid_.slot[column]) * grid_.rows + row;
-    };
-    for (int c = 0; c < grid_.columns; ++c) {
-        for (int r = 0; grid_.slot[c] >= 0 && r < grid_.rows; ++r) {
-            if (!restless_[cell(c, r)]) continue;
-            for (int i = std::max(c - 1, 0); i <= std::min(c + 1, grid_.columns - 1); ++i) {
-                for (int j = std::max(r - 1, 0); grid_.slot[i] >= 0 && j <= std::min(r + 1, grid_.rows - 1);
-                     ++j)
-                    disturbed_[cell(i, j)] = 1;
-            }
-        }
+    for (int i = 0; i < soil.count; ++i) {
+        char& restless = restless_[cell_of_[i]];
+        if (restless == 0) continue;
+        restless = 0;  // once for all particles in it
+        grid_.cells_around(grid_.window_of(soil.x[i], soil.y[i]), 1, [&](std::size_t low, std::size_t high) {
+            std::fill(disturbed_.begin() + static_cast<std::ptrdiff_t>(low),
+                      disturbed_.begin() + static_cast<std::ptrdiff_t>(high) + 1, char{1});
+        });
     }
 }
 
@@ -105,7 +101,7 @@ void SleepWatch::observe(const Soil& soil, const std::vector<double>& density, d
 
 void SleepWatch::wake(const Soil& soil) {
     find_restless(soil, waking_motion, waking_load);
-    spread();
+    spread(soil);
     for (int i = 0; i < soil.count; ++i) {
         Mark& mark = mark_[soil.id[i]];
         if (!mark.asleep || !disturbed_[cell_of_[i]]) continue;
@@ -118,7 +114,7 @@ void SleepWatch::wake(const Soil& soil) {
 void SleepWatch::close_window(const Soil& soil, const std::vector<double>& density, double time) {
     find_restless(soil, quiet_motion, quiet_load);
     find_growing(soil);
-    spread();
+    spread(soil);
     for (int i = 0; i < soil.count; ++i) {
         Mark& mark = mark_[soil.id[i]];
         const Vec2 place{soil.x[i], soil.y[i]};

@@ -56,7 +56,7 @@ class SleepWatch {
 
     void find_restless(const Soil& soil, double motion, double load);
     void find_growing(const Soil& soil);
-    void spread();
+    void spread(const Soil& soil);
     void close_window(const Soil& soil, const std::vector<double>& density, double time);
     void wake(const Soil& soil);
 
@@ -68,7 +68,7 @@ class SleepWatch {
     std::vector<Mark> mark_;
     CellGrid grid_;
     std::vector<std::size_t> cell_of_;  ///< per particle
-    std::vector<char> restless_;        ///< per cell: something in it is
+    std::vector<char> restless_;        ///< per cell: something in it is, until it has been spread
     std::vector<char> disturbed_;       ///< per cell: something in it or next to it is
     std::vector<Growth> growth_;        ///< per cell
 };
