@@ -138,6 +138,50 @@ TEST(SurveyError, FallsWithTheSpacingAndKnowsItsWorst) {
     }
 }
 
+/// A ladder of three rungs whose run-out has the given means, m, and scatters by one hundredth of a metre.
+SurveyedScene three_rungs(const std::string& name, const std::array<double, 3>& means) {
+    SurveyedScene scene{name, {}};
+    for (std::size_t k = 0; k < means.size(); ++k) {
+        RungSummary rung;
+        rung.resolution = rung_resolution(static_cast<int>(2 * k));
+        rung.spacing_m = 0.1 / rung.resolution;
+        rung.results = 8;
+        for (RungValue& value : rung.values) value = {rung.spacing_m, means[k], 0.01, 8};
+        scene.rungs.push_back(rung);
+    }
+    return scene;
+}
+
+// The finest run is not the limit: while refinement still changes the run-out, more of it would too.
+TEST(SurveyError, TheFinestRungMayBeOffItself) {
+    const double finest = rung_resolution(4);
+    const SurveyError still({three_rungs("still", {1.0, 1.0, 1.0})});
+    EXPECT_NEAR(still.run_out_share(finest), 0.02, 1e-12);
+    const SurveyError rising({three_rungs("rising", {0.8, 0.9, 1.0})});
+    EXPECT_GT(rising.run_out_share(finest), 0.1);
+    EXPECT_GT(rising.run_out_share(rung_resolution(2)), rising.run_out_share(finest));
+}
+
+TEST(SurveyError, NothingIsGainedBeyondTheFinestRung) {
+    const SurveyError rising({three_rungs("rising", {0.8, 0.9, 1.0})});
+    EXPECT_EQ(rising.run_out_share(1e9), rising.run_out_share(rung_resolution(4)));
+}
+
+TEST(SurveyError, ASceneSpeaksForSpacingsFinerThanItsOwnToo) {
+    SurveyedScene shorter = three_rungs("shorter", {0.8, 0.9, 1.0});
+    SurveyedScene longer = three_rungs("longer", {1.0, 1.0, 1.0});
+    for (RungSummary& rung : longer.rungs) rung.resolution *= 4;
+    const double far = 4.0 * rung_resolution(4);
+    EXPECT_EQ(SurveyError({shorter, longer}).run_out_share(far), SurveyError({shorter}).run_out_share(far));
+}
+
+TEST(SurveyError, RefusesASurveyThatTellsNothing) {
+    EXPECT_THROW(SurveyError({}), std::invalid_argument);
+    SurveyedScene two = three_rungs("two", {0.8, 0.9, 1.0});
+    two.rungs.pop_back();
+    EXPECT_THROW(SurveyError({two}), std::invalid_argument);
+}
+
 // ---- ladders and plans on a small scene
 
 Scene small_column() {

@@ -28,6 +28,19 @@ struct TestRaster {
     std::string unit{};
 };
 
+/// z = 50 - 0.4 (x - 834000) + 0.1 (y - 815800): exact for bilinear and cubic interpolation.
+inline double plane(double x, double y) {
+    return 50 - 0.4 * (x - 834000) + 0.1 * (y - 815800);
+}
+
+inline TestRaster plane_raster() {
+    return {.elevation = plane};
+}
+
+/// Two lines on it.
+inline const char* const across = "LINESTRING (834021 815901, 834341 815901)";
+inline const char* const oblique = "LINESTRING (834021.3 815830.7, 834200 815900, 834377.7 815911.1)";
+
 inline OGRSpatialReference test_reference(const std::string& crs) {
     OGRSpatialReference reference;
     reference.SetFromUserInput(crs.c_str());

@@ -187,6 +187,11 @@ double error_bar(const Convergence& convergence, double spacing) {
     return worst;
 }
 
+double spacing_error(const Convergence& convergence, double spacing) {
+    if (!convergence.fit) return std::numeric_limits<double>::quiet_NaN();
+    return error_of_spacing(convergence, plateau(convergence.rungs, convergence.scatter), spacing);
+}
+
 Convergence judge_convergence(std::span<const RungValue> rungs, double target) {
     Convergence result;
     result.uncertainty = std::numeric_limits<double>::quiet_NaN();

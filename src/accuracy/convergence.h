@@ -55,4 +55,7 @@ Convergence judge_convergence(std::span<const RungValue> rungs, double target);
 /// with too few rungs.
 double error_bar(const Convergence& convergence, double spacing);
 
+/// The part of it that is the error of the spacing, at this spacing alone.
+double spacing_error(const Convergence& convergence, double spacing);
+
 }  // namespace runout

@@ -17,10 +17,10 @@ namespace runout {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double pilot_share = 0.35;      // of the run: begun while they are expected to stay below this
-constexpr double most_pilot_share = 0.5;  // of the run, in the end
-constexpr double steps_per_octave = 4;    // of the resolutions that are offered
-constexpr double farthest_beyond_survey = 4;
+constexpr double pilot_share = 0.35;       // of the run: begun while they are expected to stay below this
+constexpr double most_pilot_share = 0.5;   // of the run, in the end
+constexpr double steps_per_octave = 4;     // of the resolutions that are offered
+constexpr double worthwhile_share = 0.95;  // of the error of a coarser run: less is not worth a finer one
 
 struct PilotPlan {
     double resolution;
@@ -151,7 +151,7 @@ Offer best_offer(const Pilots& pilots, const SurveyError& survey, double allowed
                  const PlanOptions& options) {
     Offer best;
     const double free_mb = available_memory_mb();
-    for (const double resolution : offers(farthest_beyond_survey * survey.finest())) {
+    for (const double resolution : offers(survey.finest())) {
         const CostSample cost = pilots.cost(resolution);
         if (cost.cpu_s > options.longest_run_s && best.resolution > 0) {
             best.limit = fmt::format("a finer run would take longer than {:.0f} s", options.longest_run_s);
@@ -162,9 +162,11 @@ Offer best_offer(const Pilots& pilots, const SurveyError& survey, double allowed
                 fmt::format("a finer run would need more than the {:.0f} MB of free memory", free_mb);
             return best;
         }
-        best = {resolution, pilots.run_out_share(resolution), false, {}};
-        best.met = best.error_share <= allowed;
-        if (best.met) return best;
+        const double share = pilots.run_out_share(resolution);
+        const bool met = share <= allowed;
+        if (met || best.resolution == 0 || share < worthwhile_share * best.error_share)
+            best = {resolution, share, met, {}};
+        if (met) return best;
     }
     best.limit = "the lattice scatter and the finest ladders allow no better";
     return best;
@@ -267,8 +269,7 @@ RunPlan plan_for_target(const Scene& scene, const PlanOptions& options, Pilots& 
     if (!best.met && options.asked)
         refuse(*options.asked, best.error_share, pilots.scale(), pilots.cost(best.resolution).cpu_s,
                best.limit);
-    const double resolution =
-        worth_its_pilots(pilots, best.resolution, farthest_beyond_survey * survey.finest());
+    const double resolution = worth_its_pilots(pilots, best.resolution, survey.finest());
     plan.scene = with_resolution(scene, resolution, scene.run.lattice_seed);
     plan.reason = fmt::format("sqrt(S)/dl = {:g} {} {}{}", resolution,
                               best.met ? "is expected to meet" : "comes nearest to", options.target->text(),

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <stdexcept>
+
+#include "accuracy/convergence.h"
 
 namespace runout {
 namespace {
@@ -19,11 +20,14 @@ double scale_of(const SurveyedScene& scene, std::size_t quantity) {
     return quantity == 0 ? size_of(finest) : std::abs(finest.values[quantity].mean);
 }
 
-/// Error of one run on a rung against the finest, a share.
-double error_share(const SurveyedScene& scene, const RungSummary& rung, std::size_t quantity) {
-    const RungValue& value = rung.values[quantity];
-    const double off = value.mean - scene.rungs.back().values[quantity].mean;
-    return std::hypot(off, coverage_factor * value.scatter) / scale_of(scene, quantity);
+/// What the finest rung may still be off for its spacing, in the unit of the quantity.
+double rest_of(const SurveyedScene& scene, std::size_t quantity) {
+    std::vector<RungValue> values;
+    for (const RungSummary& rung : scene.rungs) values.push_back(rung.values[quantity]);
+    const double rest = spacing_error(judge_convergence(values, 0.0), values.back().spacing);
+    if (!std::isfinite(rest))
+        throw std::invalid_argument("a survey needs three rungs of " + scene.name + " or more");
+    return rest;
 }
 
 /// Value of a function that is known at rising places, straight in logarithms.
@@ -36,41 +40,55 @@ double interpolated(const std::vector<double>& at, const std::vector<double>& va
     return std::exp((1 - share) * std::log(values[k - 1]) + share * std::log(values[k]));
 }
 
-std::vector<double> envelope(const std::vector<SurveyedScene>& survey, const std::vector<double>& resolutions,
-                             std::size_t quantity) {
-    std::vector<double> worst(resolutions.size(), 0.0);
-    for (const SurveyedScene& scene : survey)
-        for (const RungSummary& rung : scene.rungs)
-            for (std::size_t k = 0; k < resolutions.size(); ++k)
-                // A rung speaks for every coarser resolution: a coarse run that happens to hit is luck.
-                if (resolutions[k] <= rung.resolution)
-                    worst[k] = std::max(worst[k], error_share(scene, rung, quantity));
-    return worst;
+SurveyError::SceneError error_of(const SurveyedScene& scene, std::size_t quantity) {
+    const double scale = scale_of(scene, quantity);
+    const RungValue& finest = scene.rungs.back().values[quantity];
+    const double rest = rest_of(scene, quantity);
+    SurveyError::SceneError error;
+    for (const RungSummary& rung : scene.rungs) {
+        const RungValue& value = rung.values[quantity];
+        error.resolutions.push_back(rung.resolution);
+        error.shares.push_back(std::hypot(value.mean - finest.mean, rest, coverage_factor * value.scatter) /
+                               scale);
+    }
+    // A coarse run that happens to hit is luck.
+    for (std::size_t k = error.shares.size() - 1; k-- > 0;)
+        error.shares[k] = std::max(error.shares[k], error.shares[k + 1]);
+    return error;
 }
 
 }  // namespace
 
-SurveyError::SurveyError(const std::vector<SurveyedScene>& survey) : survey_(survey) {
-    std::set<double> known;
-    for (const SurveyedScene& scene : survey_)
-        for (const RungSummary& rung : scene.rungs) known.insert(rung.resolution);
-    if (known.empty()) throw std::invalid_argument("a survey without a rung tells no error");
-    resolutions_.assign(known.begin(), known.end());
-    run_out_ = envelope(survey_, resolutions_, 0);
-    reach_angle_ = envelope(survey_, resolutions_, 1);
+double SurveyError::SceneError::at(double resolution) const {
+    return interpolated(resolutions, shares, resolution);
 }
 
-double SurveyError::worst(double resolution, const std::vector<double>& envelope) const {
-    const double beyond = resolution / resolutions_.back();
-    return interpolated(resolutions_, envelope, resolution) / std::max(1.0, beyond);
+SurveyError::SurveyError(const std::vector<SurveyedScene>& survey) : survey_(survey) {
+    if (survey_.empty()) throw std::invalid_argument("a survey without a scene tells no error");
+    for (const SurveyedScene& scene : survey_) {
+        run_out_.push_back(error_of(scene, 0));
+        reach_angle_.push_back(error_of(scene, 1));
+    }
+}
+
+double SurveyError::worst(const std::vector<SceneError>& scenes, double resolution) {
+    double worst = 0.0;
+    for (const SceneError& scene : scenes) worst = std::max(worst, scene.at(resolution));
+    return worst;
+}
+
+double SurveyError::finest() const {
+    double finest = 0.0;
+    for (const SceneError& scene : run_out_) finest = std::max(finest, scene.resolutions.back());
+    return finest;
 }
 
 double SurveyError::run_out_share(double resolution) const {
-    return worst(resolution, run_out_);
+    return worst(run_out_, resolution);
 }
 
 double SurveyError::reach_angle_share(double resolution) const {
-    return worst(resolution, reach_angle_);
+    return worst(reach_angle_, resolution);
 }
 
 double SurveyError::change_share(double coarse, double fine, int lattices) const {

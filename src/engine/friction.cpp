@@ -11,12 +11,23 @@
 
 namespace runout {
 
-Friction::Friction(const Discretisation& discretisation, YieldStrength yield, const RunSettings& run,
-                   int threads)
+namespace {
+
+constexpr double reached_resolution = 110;  // sqrt(S)/dl up to which the iterations of the run are enough
+
+}  // namespace
+
+int friction_iterations(const RunSettings& run, double resolution) {
+    const double share = std::max(1.0, resolution / reached_resolution);
+    return static_cast<int>(std::ceil(share * run.friction_iterations));
+}
+
+Friction::Friction(const Discretisation& discretisation, YieldStrength yield, FrictionScheme scheme,
+                   int iterations, int threads)
     : discretisation_(discretisation),
       yield_(std::move(yield)),
-      scheme_(run.friction),
-      iterations_(run.friction_iterations),
+      scheme_(scheme),
+      iterations_(iterations),
       threads_(threads) {}
 
 void Friction::load(const Neighbours& n, const Soil& soil, const Wall& wall) {

@@ -21,6 +21,11 @@ struct FrictionStep {
     const BedLine* bed = nullptr;                        ///< looked at where strength depends on the rate
 };
 
+/// In a step: those of the run, and in proportion more where sqrt(S)/dl is above 110. An iteration carries
+/// the balance of stresses from particle to particle, and the accelerated ones together about as far as they
+/// are many: with too few, soil that should stand sags (docs/engine.md).
+int friction_iterations(const RunSettings& run, double resolution);
+
 /// Deviatoric stress of Coulomb soil and the velocity it allows.
 ///
 /// `projected`: the yield condition |s| <= p sin(phi) is a constraint, met by an accelerated projected
@@ -34,7 +39,9 @@ struct FrictionStep {
 /// place to keep them, its strength being nothing at the surface.
 class Friction {
   public:
-    Friction(const Discretisation& discretisation, YieldStrength yield, const RunSettings& run, int threads);
+    /// `iterations`: of a step that does not say how many.
+    Friction(const Discretisation& discretisation, YieldStrength yield, FrictionScheme scheme, int iterations,
+             int threads);
 
     /// Predictor, eq. 3. On return soil and wall hold the new stress, and `vx`, `vy` (per node) the
     /// velocity v* under gravity and friction, without pressure. The pressure is the one the last solve left.

@@ -84,7 +84,7 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
       friction_(discretisation_,
                 YieldStrength(scene.material, scene.effects,
                               base_strength_ratios(scene.material, scene.effects, wall_)),
-                scene.run, threads_),
+                run_.friction, friction_iterations(run_, length_scale_ / packing.spacing), threads_),
       pressure_(discretisation_, scene.run.gravity, length_scale_, scene.run.pressure_tolerance, threads_) {
     for (std::size_t i = 0; i < packing.x.size(); ++i) start_.emplace_back(packing.x[i], packing.y[i]);
     release_head_ = *std::min_element(packing.x.begin(), packing.x.end()) - 0.5 * packing.spacing;

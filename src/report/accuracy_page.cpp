@@ -24,7 +24,7 @@ whether the soil, the shape of the source or plane strain are right. Empirical r
 
 This page is made from a database of studies, one for each scene:
 
-    runout accuracy CASE --target 1% --finest 64 --lattices 4 --budget 600 --methods --check --threads 1 --db accuracy.db
+    runout accuracy CASE --target 1% --finest 64 --lattices 8 --budget 600 --methods --check --threads 1 --db accuracy.db
     runout accuracy --db accuracy.db --page docs/accuracy.md
 
 )";
@@ -39,6 +39,8 @@ lattice: what the arrangement of the particles alone changes, and no refinement 
 scatter of the lattices near it, as root of squares. The error of the spacing is the range of the finest rungs where they differ by
 no more than chance; else it comes from the least-squares form of the convergence where that finds an order (Eca and Hoekstra 2014),
 else of first order from the finest rung and the one twice as coarse, with the safety factor 1.25 of the grid convergence index.
+A run without a ladder of its own takes the worst of the shipped ladders at its spacing: the distance from the finest rung, what that
+one may still be off for its spacing, and twice the scatter, as root of squares; more where pilots change more than any of them did.
 
 The charts show the error of a single run (root mean square over lattices, against the finest rung) over its cost. The line
 *spacing* is the ladder with the default settings; the other lines turn one knob each at one spacing. A line that runs to the right

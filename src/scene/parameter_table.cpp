@@ -204,7 +204,7 @@ std::vector<Parameter> numerical_run_parameters() {
                      name == "explicit" ? FrictionScheme::explicit_ : FrictionScheme::projected;
              }),
         integer("run.friction_iterations", between(1, 1000), "5",
-                "Iterations of the projected friction in a step.",
+                "Iterations of the projected friction in a step; in proportion more above sqrt(S)/dl = 110.",
                 [](CaseSpec& spec, int count) { spec.run.friction_iterations = count; }),
         number("run.pressure_tolerance", "", between(1e-12, 0.1), "0.01",
                "Relative residual at which the pressure equation counts as solved.",

@@ -29,7 +29,7 @@ struct RunSettings {
     double courant = 0.1;          ///< C_max of eq. 6
     double smoothing_ratio = 1.3;  ///< h/dl
     FrictionScheme friction = FrictionScheme::projected;
-    int friction_iterations = 5;
+    int friction_iterations = 5;         ///< a step, up to sqrt(S)/dl = 110
     double pressure_tolerance = 1e-2;    ///< relative residual of the pressure equation
     double time_limit = 0;               ///< s of simulated time; 0: 60 sqrt(H/g) or more
     double front_thickness = 0;          ///< m, threshold of the contiguous front; 0: 3 % of sqrt(S)

@@ -14,12 +14,6 @@ constexpr double courant = 0.1;                // the default of RunSettings
 constexpr double pressure_wave_courant = 0.5;  // that of Simulation
 constexpr double pressure_tolerance = 1e-2;    // the default of RunSettings
 
-RunSettings settings(double gravity) {
-    RunSettings run;
-    run.gravity = gravity;
-    return run;
-}
-
 std::vector<double> component(const std::vector<Vec2>& points, int c) {
     std::vector<double> values;
     for (const Vec2& p : points) values.push_back(p[c]);
@@ -79,7 +73,8 @@ Fluid::Fluid(double spacing, const std::vector<Vec2>& points, const BedLine& bed
              double gravity)
     : cloud(spacing, points, bed),
       gravity_(gravity),
-      friction_(cloud.d, YieldStrength(Material{density, 0.0}, {}, {}), settings(gravity), 1),
+      friction_(cloud.d, YieldStrength(Material{density, 0.0}, {}, {}), FrictionScheme::projected,
+                RunSettings{}.friction_iterations, 1),
       pressure_(cloud.d, speed * speed / length, length, pressure_tolerance, 1) {}
 
 double Fluid::time_step() const {

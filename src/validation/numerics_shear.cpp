@@ -46,19 +46,12 @@ class ShearedBlock {
     std::vector<double> vx_, vy_;
 };
 
-RunSettings settings(FrictionScheme scheme) {
-    RunSettings run;
-    run.gravity = 0.0;
-    run.friction = scheme;
-    return run;
-}
-
 ShearedBlock::ShearedBlock(FrictionScheme scheme, double inertial_number, double step)
     : rate_(inertial_number * cells * std::sqrt(pressure / density)),
       dt_(step / cells / std::sqrt(pressure / density)),
       cloud_(1.0 / cells, lattice(1.0 / cells, {-0.5, -0.5}, {0.5, 0.5}), no_bed()),
-      friction_(cloud_.d, YieldStrength(Material{density, radians(friction_angle_deg)}, {}, {}),
-                settings(scheme), 1) {
+      friction_(cloud_.d, YieldStrength(Material{density, radians(friction_angle_deg)}, {}, {}), scheme,
+                RunSettings{}.friction_iterations, 1) {
     Soil& soil = cloud_.soil;
     std::fill_n(soil.pressure.begin(), soil.count, pressure);
     for (int i = 0; i < soil.count; ++i) soil.vx[i] = rate_ * soil.y[i];
