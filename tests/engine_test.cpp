@@ -6,6 +6,7 @@
 #include <numeric>
 #include <span>
 
+#include "engine/friction.h"
 #include "engine/operators.h"
 #include "engine/packing.h"
 #include "engine/pressure_solver.h"
@@ -350,6 +351,16 @@ TEST(PackingTest, NobodyStartsOutsideASliver) {
             EXPECT_GT(outline.nearest({packing.x[i], packing.y[i]}).distance, 0.0);
         }
     }
+}
+
+TEST(FrictionIterations, GrowWithTheNumberOfParticlesAcrossTheSource) {
+    RunSettings run;
+    EXPECT_EQ(friction_iterations(run, 8), 5);
+    EXPECT_EQ(friction_iterations(run, 110), 5);
+    EXPECT_EQ(friction_iterations(run, 111), 6);
+    EXPECT_EQ(friction_iterations(run, 220), 10);
+    run.friction_iterations = 60;
+    EXPECT_EQ(friction_iterations(run, 330), 180);
 }
 
 }  // namespace
