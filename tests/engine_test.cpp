@@ -353,15 +353,5 @@ TEST(PackingTest, NobodyStartsOutsideASliver) {
     }
 }
 
-TEST(FrictionIterations, GrowWithTheNumberOfParticlesAcrossTheSource) {
-    RunSettings run;
-    EXPECT_EQ(friction_iterations(run, 8), 5);
-    EXPECT_EQ(friction_iterations(run, 110), 5);
-    EXPECT_EQ(friction_iterations(run, 111), 6);
-    EXPECT_EQ(friction_iterations(run, 220), 10);
-    run.friction_iterations = 60;
-    EXPECT_EQ(friction_iterations(run, 330), 180);
-}
-
 }  // namespace
 }  // namespace runout

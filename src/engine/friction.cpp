@@ -11,17 +11,6 @@
 
 namespace runout {
 
-namespace {
-
-constexpr double reached_resolution = 110;  // sqrt(S)/dl up to which the iterations of the run are enough
-
-}  // namespace
-
-int friction_iterations(const RunSettings& run, double resolution) {
-    const double share = std::max(1.0, resolution / reached_resolution);
-    return static_cast<int>(std::ceil(share * run.friction_iterations));
-}
-
 Friction::Friction(const Discretisation& discretisation, YieldStrength yield, FrictionScheme scheme,
                    int iterations, int threads)
     : discretisation_(discretisation),

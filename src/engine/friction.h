@@ -21,11 +21,6 @@ struct FrictionStep {
     const BedLine* bed = nullptr;                        ///< looked at where strength depends on the rate
 };
 
-/// In a step: those of the run, and in proportion more where sqrt(S)/dl is above 110. An iteration carries
-/// the balance of stresses from particle to particle, and the accelerated ones together about as far as they
-/// are many: with too few, soil that should stand sags (docs/engine.md).
-int friction_iterations(const RunSettings& run, double resolution);
-
 /// Deviatoric stress of Coulomb soil and the velocity it allows.
 ///
 /// `projected`: the yield condition |s| <= p sin(phi) is a constraint, met by an accelerated projected

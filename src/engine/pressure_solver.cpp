@@ -248,6 +248,25 @@ void PressureSolver::cut_off_tension(const Neighbours& n) {
     });
 }
 
+/// Sets what soil and wall carry into the next step. Returns the highest pressure of the soil in this one.
+double PressureSolver::hand_over(const Neighbours& n, double renewal, Soil& soil, Wall& wall) {
+    const auto renewed = [&](double carried, int node) {
+        return free_[node] ? carried + renewal * (pressure_[node] - carried) : pressure_[node];
+    };
+    for (int a = 0; a < n.active_count(); ++a) {
+        double& carried = wall.pressure[n.active[a]];
+        carried = renewed(carried, n.first_boundary + a);
+    }
+    return max_pieces(soil.count, threads_, partial_, [&](int first, int last) {
+        double highest = 0.0;
+        for (int i = first; i < last; ++i) {
+            soil.pressure[i] = renewed(soil.pressure[i], i);
+            highest = std::max(highest, pressure_[i]);
+        }
+        return highest;
+    });
+}
+
 PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
                                     const std::vector<double>& vx, const std::vector<double>& vy,
                                     const PressureStep& step) {
@@ -263,15 +282,7 @@ PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
     last_iterations_ = result.iterations;
     if (steps_since_build_ == 0) iterations_after_build_ = result.iterations;
     cut_off_tension(n);
-    result.highest = max_pieces(soil.count, threads_, partial_, [&](int first, int last) {
-        double highest = 0.0;
-        for (int i = first; i < last; ++i) {
-            soil.pressure[i] = pressure_[i];
-            highest = std::max(highest, pressure_[i]);
-        }
-        return highest;
-    });
-    for (int a = 0; a < n.active_count(); ++a) wall.pressure[n.active[a]] = pressure_[n.first_boundary + a];
+    result.highest = hand_over(n, step.renewal, soil, wall);
     return result;
 }
 

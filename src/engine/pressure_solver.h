@@ -25,6 +25,10 @@ struct PressureStep {
     /// uncarried and a heap at rest creeps; a full memory keeps every noise that the gradient does not see.
     double memory = 0.9;
     bool correct_density = true;  ///< work off density above rho_0
+    /// Share of the new pressure in what soil and wall carry into the next step; the rest is what they
+    /// carried. Strength and memory answer a pressure one step late, against it, and without this the
+    /// pressure of soil that moves alternates from step to step, the more the finer it is (docs/engine.md).
+    double renewal = 0.5;
 };
 
 /// What one pressure solve took.
@@ -66,11 +70,11 @@ class PressureSolver {
         numbered_.clear();
     }
 
-    /// On return soil and wall hold the pressure of the end of the step.
+    /// On return soil and wall hold the pressure that the next step starts from.
     PressureSolve solve(const Neighbours& n, Soil& soil, Wall& wall, const std::vector<double>& vx,
                         const std::vector<double>& vy, const PressureStep& step);
 
-    /// Pressure per node as the last solve left it, for the corrector.
+    /// Pressure per node that makes the velocity divergence-free at the end of the step, for the corrector.
     [[nodiscard]] const std::vector<double>& node_pressure() const { return pressure_; }
 
   private:
@@ -84,6 +88,7 @@ class PressureSolver {
     double multiply_boundary_row(const Neighbours& n, const Wall& wall, int a, const std::vector<double>& x,
                                  std::vector<double>& out) const;
     void cut_off_tension(const Neighbours& n);
+    double hand_over(const Neighbours& n, double renewal, Soil& soil, Wall& wall);
     double precondition();
     template <class Function>
     double sum_nodes(const Function& f);

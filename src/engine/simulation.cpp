@@ -15,6 +15,7 @@ namespace {
 
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
+constexpr double falling_courant = 0.1;        // spacings that soil at rest may fall in a step, see there
 constexpr double rocking_way = 1.0;            // spacings, see RestWatch
 constexpr double resting_grain_way = 0.3;      // spacings; lone grains tremble by a quarter of one
 constexpr double sleep_window = 0.25;          // in sqrt(sqrt(S)/g)
@@ -84,7 +85,7 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
       friction_(discretisation_,
                 YieldStrength(scene.material, scene.effects,
                               base_strength_ratios(scene.material, scene.effects, wall_)),
-                run_.friction, friction_iterations(run_, length_scale_ / packing.spacing), threads_),
+                run_.friction, run_.friction_iterations, threads_),
       pressure_(discretisation_, scene.run.gravity, length_scale_, scene.run.pressure_tolerance, threads_) {
     for (std::size_t i = 0; i < packing.x.size(); ++i) start_.emplace_back(packing.x[i], packing.y[i]);
     release_head_ = *std::min_element(packing.x.begin(), packing.x.end()) - 0.5 * packing.spacing;
@@ -116,7 +117,8 @@ void Simulation::balance() {
     friction_.predict(neighbours_, soil_, wall_, friction_step(dt, equilibrium_iterations), predicted_vx_,
                       predicted_vy_);
     highest_pressure_ =
-        pressure_.solve(neighbours_, soil_, wall_, predicted_vx_, predicted_vy_, {dt, 1.0, false}).highest;
+        pressure_.solve(neighbours_, soil_, wall_, predicted_vx_, predicted_vy_, {dt, 1.0, false, 1.0})
+            .highest;
     find_pressure_gradient();
     double change2 = 0.0;
     for (int i = 0; i < soil_.count; ++i) {
@@ -183,9 +185,10 @@ PressureSolve Simulation::resist(double dt) {
 }
 
 /// The least of three limits: the Courant step of eq. 6; the same for the speed that gravity adds within the
-/// step; and the passage of a pressure wave, since the lattice of particles answers a change of pressure
-/// explicitly: without this one a pile at rest fluidises. Lone grains, whose flight takes no small steps, do
-/// not set the pace for all: they may go a whole spacing.
+/// step, and never more than films of grains stand, which tremble when they fall further in a step; and the
+/// passage of a pressure wave, since the lattice of particles answers a change of pressure explicitly:
+/// without this one a pile at rest fluidises. Lone grains, whose flight takes no small steps, do not set the
+/// pace for all: they may go a whole spacing.
 double Simulation::choose_time_step() {
     const double lone2 = run_.courant * run_.courant;
     const double speed2 = max_pieces(soil_.count, threads_, partial_, [&](int first, int last) {
@@ -197,7 +200,7 @@ double Simulation::choose_time_step() {
         return greatest;
     });
     const double dl = discretisation_.spacing;
-    double dt = std::sqrt(run_.courant * dl / body_acceleration().norm());
+    double dt = std::sqrt(std::min(run_.courant, falling_courant) * dl / body_acceleration().norm());
     if (speed2 > 0.0) dt = std::min(dt, run_.courant * dl / std::sqrt(speed2));
     if (highest_pressure_ > 0.0) {
         dt =

@@ -10,7 +10,7 @@ namespace runout::numerics {
 namespace {
 
 constexpr double smoothing_ratio = 1.3;
-constexpr double courant = 0.1;                // the default of RunSettings
+constexpr double courant = 0.15;               // the default of RunSettings
 constexpr double pressure_wave_courant = 0.5;  // that of Simulation
 constexpr double pressure_tolerance = 1e-2;    // the default of RunSettings
 

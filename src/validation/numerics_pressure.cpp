@@ -71,7 +71,7 @@ double manufactured_error(int cells, double ratio) {
     PressureSolver solver(cloud.d, no_gravity, 1.0, tolerance, 1);
     std::vector<double> vx, vy;
     fill(cloud, 0.0, vx, vy);
-    solver.solve(cloud.n, cloud.soil, cloud.wall, vx, vy, {density, 0.0, false});
+    solver.solve(cloud.n, cloud.soil, cloud.wall, vx, vy, {density, 0.0, false, 1.0});
     double error2 = 0.0, size2 = 0.0;
     for (int i = 0; i < cloud.soil.count; ++i) {
         const double wanted = potential(cloud.soil.x[i], cloud.soil.y[i]);
@@ -89,7 +89,7 @@ double projection_error(int cells, int count) {
     std::vector<double> vx, vy, gx, gy;
     fill(cloud, 1.0, vx, vy);
     for (int k = 0; k < count; ++k)
-        solver.solve(cloud.n, cloud.soil, cloud.wall, vx, vy, {density, 1.0, false});
+        solver.solve(cloud.n, cloud.soil, cloud.wall, vx, vy, {density, 1.0, false, 1.0});
     cloud.pressure_gradient(solver.node_pressure(), gx, gy);
     double error2 = 0.0, size2 = 0.0;
     for (int i = 0; i < cloud.soil.count; ++i) {
