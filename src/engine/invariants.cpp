@@ -29,8 +29,9 @@ constexpr std::array<Rule, static_cast<int>(Invariant::count)> rules = {{
     {"time_step", 1.0, "floor of the time step / time step"},
 }};
 
-constexpr double tolerated_misses = 20;  // pressure solves in a row that missed their tolerance
-constexpr double guard_grace = 10.0;     // particle-steps driven in before their share is judged
+constexpr double tolerated_misses = 20;     // pressure solves in a row that missed their tolerance
+constexpr double unhurried_nearness = 0.5;  // of a limit, up to which steps are as long as ever
+constexpr double guard_grace = 10.0;        // particle-steps driven in before their share is judged
 
 // Of the Courant step at the speed of free fall: far below what any sound run takes, and still an end in
 // sight.
@@ -132,6 +133,16 @@ void InvariantWatch::observe(const Soil& soil, const std::vector<double>& densit
     const double natural =
         scales_.courant * scales_.spacing / std::sqrt(2.0 * scales_.gravity * scales_.height);
     note(Invariant::time_step, step_floor * natural / step.dt, x);
+}
+
+double InvariantWatch::pace() const {
+    double nearness = 0.0;
+    for (const Invariant cause : {Invariant::wall_guard, Invariant::volume}) {
+        const InvariantReading& reading = readings_[static_cast<std::size_t>(cause)];
+        nearness = std::max(nearness, reading.worst / reading.limit);
+    }
+    const double share = unhurried_nearness / std::max(unhurried_nearness, nearness);
+    return share * share;
 }
 
 }  // namespace runout

@@ -77,6 +77,9 @@ class InvariantWatch {
     /// "energy_rise at t = 0.31 s, x = 1.2 m: 0.034, at most 0.02" for the first one violated, if any.
     [[nodiscard]] const std::optional<std::string>& violation() const { return violation_; }
     [[nodiscard]] const InvariantReadings& readings() const { return readings_; }
+    /// Share of the usual step to take from here on: below 1 once soil has been driven into the bed, or
+    /// pressed together, half as much as is allowed, and a quarter at the limit. Both come of long steps.
+    [[nodiscard]] double pace() const;
 
   private:
     void note(Invariant invariant, double value, double x);

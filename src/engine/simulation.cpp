@@ -188,7 +188,7 @@ PressureSolve Simulation::resist(double dt) {
 /// step, and never more than films of grains stand, which tremble when they fall further in a step; and the
 /// passage of a pressure wave, since the lattice of particles answers a change of pressure explicitly:
 /// without this one a pile at rest fluidises. Lone grains, whose flight takes no small steps, do not set the
-/// pace for all: they may go a whole spacing.
+/// pace for all: they may go a whole spacing. Shorter where the run nears a limit of the checks.
 double Simulation::choose_time_step() {
     const double lone2 = run_.courant * run_.courant;
     const double speed2 = max_pieces(soil_.count, threads_, partial_, [&](int first, int last) {
@@ -206,7 +206,7 @@ double Simulation::choose_time_step() {
         dt =
             std::min(dt, pressure_wave_courant * dl / std::sqrt(highest_pressure_ / discretisation_.density));
     }
-    return dt;
+    return invariants_.pace() * dt;
 }
 
 FrictionStep Simulation::friction_step(double dt, int iterations) {
@@ -311,8 +311,10 @@ StepFacts Simulation::guard_wall(double dt) {
             in_company ? std::min(-near.distance, 0.5 * discretisation_.spacing) : -near.distance;
         const Vec2 taken = push_back(i, back, near.normal, dt);
         if (barrier_) barrier_->add_guard_impulse(near.segment, discretisation_.mass() * taken);
-        // Soil under pressure should have been kept out by it; what nothing presses simply lands.
-        if (back > harmless && in_company && soil_.pressure[i] > 0.0) ++facts.driven_in;
+        // Soil under pressure should have been kept out by it; what nothing presses simply lands. That is the
+        // pressure of this step: what is carried on outlasts it.
+        const bool pressed = soil_.pressure[i] > 0.0 && pressure_.node_pressure()[i] > 0.0;
+        if (back > harmless && in_company && pressed) ++facts.driven_in;
         if (-near.distance - back > facts.greatest_depth) {
             facts.greatest_depth = -near.distance - back;
             facts.depth_x = soil_.x[i];

@@ -200,7 +200,7 @@ CaseReport evaluate(const CaseRuns& runs, const std::string&, bool quick) {
         add_profiles(report, runs);
         report.remarks.emplace_back(
             "(a) Fronts grow a little as the spacing gets finer, and equal spacing makes the larger box the "
-            "finer one: what it misses is resolution, and lies within the error bars; the laws themselves "
+            "finer one: what it may miss is resolution, and lies within the error bars; the laws themselves "
             "scale "
             "exactly (case similarity).");
         report.remarks.emplace_back(

@@ -106,8 +106,8 @@ double potential_energy_of_column(double resolution) {
     return simulation.energy().potential;
 }
 
-/// With five iterations of friction at every spacing it sank deeper the finer it was, by 20 % of its height
-/// at 256 particles.
+/// While the pressure of moving soil alternated from step to step it sank deeper the finer it was, by 20 % of
+/// its height at sqrt(S)/dl = 256.
 TEST(FullLimits, AFineColumnStandsAsHighAsACoarseOne) {
     const double share = potential_energy_of_column(181) / potential_energy_of_column(64);
     RecordProperty("share", std::to_string(share));
