@@ -172,8 +172,8 @@ TEST(Cohesion, AStandingCutStandsOn) {
 
 TEST(Rate, SteadyFlowHasBagnoldsProfile) {
     // So long that what happens at its ends has not reached the middle when the flow is steady there.
-    constexpr int columns = 850;
-    constexpr int rows = 14;
+    constexpr int columns = 970;
+    constexpr int rows = 16;
     constexpr double friction_angle_deg = 11.5;
     const double height = 0.05;
     const double slope = std::atan(0.45);

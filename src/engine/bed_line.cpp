@@ -52,12 +52,13 @@ BedLine::Nearest BedLine::nearest(const Vec2& point, int segment, int reach) con
 }
 
 BedLine::Nearest BedLine::below(double x, double y) const {
-    if (closed_ || x < points_.front().x() || x > points_.back().x()) return {};
+    const Nearest nothing{.distance = std::numeric_limits<double>::infinity()};
+    if (closed_ || x < points_.front().x() || x > points_.back().x()) return nothing;
     const auto right = std::upper_bound(points_.begin() + 1, points_.end() - 1, x,
                                         [](double value, const Vec2& point) { return value < point.x(); });
     const Vec2& a = *(right - 1);
     const Vec2 along = *right - a;
-    if (along.x() <= 0.0 || y >= a.y() + along.y() * (x - a.x()) / along.x()) return {};
+    if (along.x() <= 0.0 || y >= a.y() + along.y() * (x - a.x()) / along.x()) return nothing;
     return nearest({x, y});
 }
 

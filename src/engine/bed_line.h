@@ -21,8 +21,8 @@ class BedLine {
     /// Nearest point among the segments within `reach` of `segment` (chain order).
     [[nodiscard]] Nearest nearest(const Vec2& point, int segment, int reach) const;
 
-    /// For a point away from the bed: found below an open chain, and nothing near (distance 0) above it.
-    /// Finds the segment by bisection.
+    /// For a point away from the bed: found below an open chain, and nothing near (at an infinite distance)
+    /// above it. Finds the segment by bisection.
     [[nodiscard]] Nearest below(double x, double y) const;
 
     [[nodiscard]] int segments() const {

@@ -8,15 +8,21 @@ namespace {
 
 constexpr double rest_energy = 1e-5;  // energy of the mean motion at rest, share of g sqrt(S)
 constexpr double rest_window = 0.5;   // between two looks, in sqrt(sqrt(S)/g)
-constexpr double rest_windows = 4;    // at rest before the run ends
-constexpr double rocking_windows = 40;
+
+/// What passes for rest: within `way` spacings of its place for so many windows.
+struct Rule {
+    double way;
+    double windows;
+};
+constexpr std::array<Rule, 3> rules = {{{0.1, 6}, {0.3, 16}, {1.0, 40}}};  // still, trembling, rocking
 
 }  // namespace
 
-RestWatch::RestWatch(double gravity, double length, double grain_way, double rocking)
-    : rest_energy_(rest_energy * gravity * length),
-      window_(rest_window * std::sqrt(length / gravity)),
-      stays_{{{grain_way, rest_windows * window_, {}, 0.0}, {rocking, rocking_windows * window_, {}, 0.0}}} {}
+RestWatch::RestWatch(double gravity, double length, double spacing)
+    : rest_energy_(rest_energy * gravity * length), window_(rest_window * std::sqrt(length / gravity)) {
+    for (std::size_t k = 0; k < rules.size(); ++k)
+        stays_[k] = {rules[k].way * spacing, rules[k].windows * window_, {}, 0.0};
+}
 
 void RestWatch::Mark::take(const Soil& soil, double now) {
     time = now;

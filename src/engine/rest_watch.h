@@ -9,14 +9,15 @@
 namespace runout {
 
 /// Judges whether the mass has come to rest: for some time no particle has got away from its place, and the
-/// mean motion since then has next to no energy. A single grain that is still on its way counts. Trembling,
-/// which leads nowhere, does not: lone grains may rock to and fro for ever, by as much as from one particle
-/// of a bed of next to no friction to the next, and those are watched for longer.
+/// mean motion since then has next to no energy. A single grain that is still on its way counts, and so does
+/// a pile that is about to give way, which at first moves by less than grains that tremble. Trembling, which
+/// leads nowhere, does not count: lone grains may rock to and fro for ever, by as much as from one particle
+/// of a bed of next to no friction to the next. The further particles get from their places, the longer they
+/// are watched.
 class RestWatch {
   public:
-    /// `length`: sqrt(S), m. `grain_way`: how far from its place a particle at rest gets,
-    /// m; `rocking`: and one that rocks.
-    RestWatch(double gravity, double length, double grain_way, double rocking);
+    /// `length`: sqrt(S), m; `spacing`: of the particles, m.
+    RestWatch(double gravity, double length, double spacing);
 
     /// Soil as it is now, not yet moving; also after more has been added.
     void start(const Soil& soil, double time);
@@ -52,7 +53,7 @@ class RestWatch {
     double rest_energy_;  ///< of the mean motion, J/kg
     double window_;       ///< s
     Mark opened_;         ///< when the window opened
-    std::array<Stay, 2> stays_;
+    std::array<Stay, 3> stays_;
     double last_motion_ = 0;
 };
 

@@ -15,9 +15,7 @@ namespace {
 
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
-constexpr double falling_courant = 0.1;        // spacings that soil at rest may fall in a step, see there
-constexpr double rocking_way = 1.0;            // spacings, see RestWatch
-constexpr double resting_grain_way = 0.3;      // spacings; lone grains tremble by a quarter of one
+constexpr double falling_courant = 0.03;       // spacings that soil at rest may fall in a step, see there
 constexpr double sleep_window = 0.25;          // in sqrt(sqrt(S)/g)
 constexpr int equilibrium_rounds = 200;
 constexpr int equilibrium_iterations = 20;
@@ -77,8 +75,7 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
                       : time_to_stop(height_, run_.gravity, least_strength(material_, effects_))),
       invariants_({run_.gravity, height_, discretisation_.spacing, discretisation_.density, run_.courant,
                    tension_cut_off(material_, effects_)}),
-      rest_(run_.gravity, length_scale_, resting_grain_way * discretisation_.spacing,
-            rocking_way * discretisation_.spacing),
+      rest_(run_.gravity, length_scale_, discretisation_.spacing),
       soil_(soil_at(packing.x, packing.y)),
       wall_(make_wall(bed_, discretisation_)),
       search_(discretisation_, threads_),
@@ -281,42 +278,49 @@ BedLine::Nearest Simulation::nearest_bed(int i) const {
                         : bed_.nearest({soil_.x[i], soil_.y[i]}, wall_.segment[boundary], 8);
 }
 
+/// How near the bed line soil may come, m. Soil in company as near as pressure lets it; a grain alone, which
+/// no pressure holds, as near as the lowest row of a lattice lies, or it would be shot out where others join
+/// it.
+double Simulation::clearance(int i) const {
+    return 0.5 * (1.0 - neighbours_.company[i]) * discretisation_.spacing;
+}
+
 /// Of all soil; nothing for what rests. What the bed gave in the last step is forgotten.
-void Simulation::find_bed_distance() {
-    fit(bed_distance_, soil_.count);
+void Simulation::find_bed_gap() {
+    fit(bed_gap_, soil_.count);
     const bool all_awake = neighbours_.resting.empty();
     for_each_piece(soil_.count, threads_, [&](int first, int last) {
         for (int i = first; i < last; ++i) {
-            bed_distance_[i] = 0.0;
+            bed_gap_[i] = 0.0;
             if (!all_awake && neighbours_.rests(i)) continue;
             soil_.contact_x[i] = soil_.contact_y[i] = 0.0;
-            bed_distance_[i] = nearest_bed(i).distance;
+            bed_gap_[i] = nearest_bed(i).distance - clearance(i);
         }
     });
 }
 
-/// No particle beyond the bed line: it is put back by at most half a spacing, and its velocity into the bed
-/// ends. Says how many were driven in and how deep the deepest still is.
+/// No particle nearer the bed line than it may come: it is put back, in company by at most half a spacing,
+/// and its velocity into the bed ends. Says how many were driven in and how deep the deepest still is.
 StepFacts Simulation::guard_wall(double dt) {
     StepFacts facts;
     // A grain that lies on the line without a neighbour to carry it falls this far from rest: no defect.
     const double harmless = 0.01 * discretisation_.spacing + run_.gravity * dt * dt;
-    find_bed_distance();
+    find_bed_gap();
     for (int i = 0; i < soil_.count; ++i) {
-        if (bed_distance_[i] >= 0.0) continue;
+        if (bed_gap_[i] >= 0.0) continue;
         const BedLine::Nearest near = nearest_bed(i);
         const bool in_company = neighbours_.company[i] == 1.0F;
         // A grain alone is carried here, and may have come a whole spacing in the step.
-        const double back =
-            in_company ? std::min(-near.distance, 0.5 * discretisation_.spacing) : -near.distance;
+        const double depth = -bed_gap_[i];
+        const double back = in_company ? std::min(depth, 0.5 * discretisation_.spacing) : depth;
         const Vec2 taken = push_back(i, back, near.normal, dt);
         if (barrier_) barrier_->add_guard_impulse(near.segment, discretisation_.mass() * taken);
         // Soil under pressure should have been kept out by it; what nothing presses simply lands. That is the
         // pressure of this step: what is carried on outlasts it.
         const bool pressed = soil_.pressure[i] > 0.0 && pressure_.node_pressure()[i] > 0.0;
         if (back > harmless && in_company && pressed) ++facts.driven_in;
-        if (-near.distance - back > facts.greatest_depth) {
-            facts.greatest_depth = -near.distance - back;
+        if (depth - back > facts.greatest_depth) {
+            facts.greatest_depth = depth - back;
             facts.depth_x = soil_.x[i];
         }
     }

@@ -143,7 +143,8 @@ class Simulation {
     void correct(double dt);
     void move(double dt);
     [[nodiscard]] BedLine::Nearest nearest_bed(int i) const;
-    void find_bed_distance();
+    [[nodiscard]] double clearance(int i) const;
+    void find_bed_gap();
     StepFacts guard_wall(double dt);
     Vec2 push_back(int i, double distance, const Vec2& normal, double dt);
     void judge(StepFacts& facts);
@@ -190,7 +191,7 @@ class Simulation {
     std::vector<FloatPair> flight_velocity_;
     std::vector<double> predicted_vx_, predicted_vy_;
     std::vector<double> force_x_, force_y_;
-    std::vector<double> bed_distance_;  ///< signed, per particle, m
+    std::vector<double> bed_gap_;  ///< to how near the bed line a particle may come, per particle, m
     std::vector<double> partial_;
     std::vector<StepWork> partial_work_;
     std::vector<Vec2> start_;  ///< positions at release, by id
