@@ -24,7 +24,7 @@ struct PressureStep {
     /// eq. 5 is not the divergence of the gradient, so a projection from nothing leaves a part of the weight
     /// uncarried and a heap at rest creeps; a full memory keeps every noise that the gradient does not see,
     /// and nine tenths still shoot grains of a thin layer up that have fallen on it (docs/stability.md).
-    double memory = 0.8;
+    double memory = 0.85;
     bool correct_density = true;  ///< work off density above rho_0
     /// Share of the new pressure in what soil and wall carry into the next step; the rest is what they
     /// carried. Strength and memory answer a pressure one step late, against it, and without this the

@@ -16,7 +16,8 @@ namespace {
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
 constexpr double falling_courant = 0.03;       // spacings that soil at rest may fall in a step, see there
-constexpr double sleep_window = 0.25;          // in sqrt(sqrt(S)/g)
+constexpr double harmless_depth = 0.1;  // spacings; what presses no further beyond the bed is no defect
+constexpr double sleep_window = 0.25;   // in sqrt(sqrt(S)/g)
 constexpr int equilibrium_rounds = 200;
 constexpr int equilibrium_iterations = 20;
 constexpr double equilibrium_change = 5e-4;  // of the acceleration between two rounds, in g, root mean square
@@ -303,8 +304,7 @@ void Simulation::find_bed_gap() {
 /// and its velocity into the bed ends. Says how many were driven in and how deep the deepest still is.
 StepFacts Simulation::guard_wall(double dt) {
     StepFacts facts;
-    // A grain that lies on the line without a neighbour to carry it falls this far from rest: no defect.
-    const double harmless = 0.01 * discretisation_.spacing + run_.gravity * dt * dt;
+    const double harmless = harmless_depth * discretisation_.spacing;
     find_bed_gap();
     for (int i = 0; i < soil_.count; ++i) {
         if (bed_gap_[i] >= 0.0) continue;
