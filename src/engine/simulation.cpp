@@ -16,8 +16,8 @@ namespace {
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
 constexpr double falling_courant = 0.03;       // spacings that soil at rest may fall in a step, see there
-constexpr double harmless_depth = 0.1;  // spacings; what presses no further beyond the bed is no defect
-constexpr double sleep_window = 0.25;   // in sqrt(sqrt(S)/g)
+constexpr double harmless_depth = 0.05;  // spacings; what presses no further beyond the bed is no defect
+constexpr double sleep_window = 0.25;    // in sqrt(sqrt(S)/g)
 constexpr int equilibrium_rounds = 200;
 constexpr int equilibrium_iterations = 20;
 constexpr double equilibrium_change = 5e-4;  // of the acceleration between two rounds, in g, root mean square

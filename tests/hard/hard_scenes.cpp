@@ -151,8 +151,12 @@ void add_random(Scenes& scenes) {
     // A needle that starts crowded; grains scattered over a rising bed; grains alone on a slope just steeper
     // than repose; a film just below it; pressure that decays until it is no number; grains on a base of 1
     // deg.
-    add_random(scenes, 1, {751, 707, 737, 515, 422, 911, 183, 308, 326, 365});
-    add_random(scenes, 2, {44, 249, 419});
+    add_random(scenes, 1, {751, 707, 737, 515, 422, 911});
+    add_random(scenes, 1, {183, 326});  // piles that gave way after they had been judged to rest
+    add_random(scenes, 1, {308});       // films that crept on a base of a few degrees
+    add_random(scenes, 2, {249, 419});
+    add_random(scenes, 1, {365});  // a thin layer that kept jumping after its fall
+    add_random(scenes, 2, {44});   // grains alone that the wall threw out
     add_random(scenes, 3, {804});  // a jet from the foot of a wall
 }
 
