@@ -5,28 +5,46 @@
 
 namespace runout {
 
-void CellGrid::cover(const std::vector<double>& x, const std::vector<double>& y, std::size_t count) {
+void CellGrid::cover(const std::vector<double>& x, const std::vector<double>& y, std::size_t count,
+                     int threads) {
+    fit(place_of, count);
+    fit(cell_of, count);
+    const auto size_of_all = static_cast<int>(count);
+    for_each_piece(size_of_all, threads, [&](int first, int last) {
+        for (int i = first; i < last; ++i) place_of[i] = {column(x[i]), row(y[i])};
+    });
+    find_columns();
+    for_each_piece(size_of_all, threads, [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
+            const Place& place = place_of[i];
+            const Column& c = filled[slot[place.column - column0]];
+            cell_of[i] = c.base + static_cast<std::size_t>(place.row - c.low);
+        }
+    });
+}
+
+/// Which columns hold something, from where to where.
+void CellGrid::find_columns() {
     for (const Column& c : filled) slot[static_cast<std::size_t>(c.place)] = -1;
     filled.clear();
     columns = 0;
     start.assign(1, 0);
-    if (count == 0) return;
-    const auto [x_low, x_high] = std::minmax_element(x.begin(), x.begin() + static_cast<long>(count));
-    column0 = column(*x_low);
-    columns = static_cast<int>(column(*x_high) - column0) + 1;
+    if (place_of.empty()) return;
+    const auto [left, right] = std::minmax_element(
+        place_of.begin(), place_of.end(), [](const Place& a, const Place& b) { return a.column < b.column; });
+    column0 = left->column;
+    columns = static_cast<int>(right->column - column0) + 1;
     if (slot.size() < static_cast<std::size_t>(columns))
         set_rest(slot, slot.size(), static_cast<std::size_t>(columns), -1);
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto place = static_cast<int>(column(x[i]) - column0);
-        const long r = row(y[i]);
-        int& s = slot[static_cast<std::size_t>(place)];
+    for (const Place& place : place_of) {
+        int& s = slot[static_cast<std::size_t>(place.column - column0)];
         if (s < 0) {
             s = static_cast<int>(filled.size());
-            filled.push_back({place, r, r});
+            filled.push_back({static_cast<int>(place.column - column0), place.row, place.row});
         }
         Column& c = filled[static_cast<std::size_t>(s)];
-        c.low = std::min(c.low, r);
-        c.high = std::max(c.high, r);
+        c.low = std::min(c.low, place.row);
+        c.high = std::max(c.high, place.row);
     }
     std::sort(filled.begin(), filled.end(),
               [](const Column& a, const Column& b) { return a.place < b.place; });
@@ -42,12 +60,8 @@ void CellGrid::cover(const std::vector<double>& x, const std::vector<double>& y,
 
 void CellGrid::sort(const std::vector<double>& x, const std::vector<double>& y, std::size_t count,
                     std::vector<int>& order, int threads) {
-    cover(x, y, count);
+    cover(x, y, count, threads);
     order.resize(count);
-    fit(cell_of, count);
-    for_each_piece(static_cast<int>(count), threads, [&](int first, int last) {
-        for (int i = first; i < last; ++i) cell_of[i] = cell(x[i], y[i]);
-    });
     for (const std::size_t c : cell_of) ++start[c + 1];
     for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
     for (std::size_t i = count; i-- > 0;) {  // backwards, then `start` is shifted into place below

@@ -26,7 +26,12 @@ struct CellGrid {
     std::vector<int> slot;       ///< per column of the window: which of `filled`; -1: holds nothing
     std::vector<int> start;      ///< particles of cell c: [start[c], start[c+1])
 
-    std::vector<std::size_t> cell_of;  ///< of each point sorted last
+    /// Where a point stands, in cells from the origin of the plane.
+    struct Place {
+        long column, row;
+    };
+    std::vector<Place> place_of;       ///< of each point covered last
+    std::vector<std::size_t> cell_of;  ///< and its cell
 
     [[nodiscard]] long column(double x) const { return floor_of(x / size); }
     [[nodiscard]] long row(double y) const { return floor_of(y / size); }
@@ -37,15 +42,9 @@ struct CellGrid {
         return towards_zero - (static_cast<double>(towards_zero) > value ? 1 : 0);
     }
 
-    /// Makes cells for the given points, empty.
-    void cover(const std::vector<double>& x, const std::vector<double>& y, std::size_t count);
-
-    /// Index of the cell of one of the points covered.
-    [[nodiscard]] std::size_t cell(double x, double y) const {
-        const Column& c =
-            filled[static_cast<std::size_t>(slot[static_cast<std::size_t>(column(x) - column0)])];
-        return c.base + static_cast<std::size_t>(row(y) - c.low);
-    }
+    /// Makes cells for the given points, empty, and says in `cell_of` which each belongs to.
+    void cover(const std::vector<double>& x, const std::vector<double>& y, std::size_t count,
+               int threads = 1);
 
     /// Stable counting sort: fills `start`, and `order` with particle indices cell by cell.
     void sort(const std::vector<double>& x, const std::vector<double>& y, std::size_t count,
@@ -91,6 +90,9 @@ struct CellGrid {
     void around(double x, double y, int reach, const Function& f) const {
         around(window_of(x, y), reach, f);
     }
+
+  private:
+    void find_columns();
 };
 
 }  // namespace runout

@@ -90,7 +90,7 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
     set_up_effects();
     rest_.start(soil_, 0.0);
     if (run_.sleeping && run_.friction == FrictionScheme::projected) {
-        sleep_.emplace(discretisation_, run_.gravity, sleep_window * time_scale_);
+        sleep_.emplace(discretisation_, run_.gravity, sleep_window * time_scale_, threads_);
         sleep_->wake_all(soil_, 0.0);
     }
     make_room();

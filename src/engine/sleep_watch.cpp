@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/node_array.h"
+#include "engine/parallel.h"
 
 namespace runout {
 namespace {
@@ -20,8 +21,9 @@ constexpr double least_motion = 0.002;  // spacings in a window: none
 
 }  // namespace
 
-SleepWatch::SleepWatch(const Discretisation& discretisation, double gravity, double window)
-    : spacing_(discretisation.spacing),
+SleepWatch::SleepWatch(const Discretisation& discretisation, double gravity, double window, int threads)
+    : threads_(threads),
+      spacing_(discretisation.spacing),
       unit_(discretisation.density * gravity * discretisation.spacing),
       window_(window) {
     grid_.size = cell_spacings * spacing_;
@@ -48,18 +50,20 @@ void SleepWatch::append(const Soil& soil) {
 /// Where anything moved by more than `motion` spacings, or its load changed by more than `load`, since the
 /// window opened.
 void SleepWatch::find_restless(const Soil& soil, double motion, double load) {
-    grid_.cover(soil.x, soil.y, static_cast<std::size_t>(soil.count));
+    grid_.cover(soil.x, soil.y, static_cast<std::size_t>(soil.count), threads_);
     set_all(restless_, grid_.start.size(), char{0});
-    make_room(cell_of_, static_cast<std::size_t>(soil.count));
-    cell_of_.resize(static_cast<std::size_t>(soil.count));
+    fit(is_restless_, static_cast<std::size_t>(soil.count));
     const double far2 = motion * motion * spacing_ * spacing_;
+    for_each_piece(soil.count, threads_, [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
+            const Mark& mark = mark_[soil.id[i]];
+            const double changed = std::abs(soil.pressure[i] - mark.pressure);
+            is_restless_[i] = (Vec2{soil.x[i], soil.y[i]} - mark.place).squaredNorm() > far2 ||
+                              changed > load * (unit_ + load_share * std::abs(mark.pressure));
+        }
+    });
     for (int i = 0; i < soil.count; ++i) {
-        const Mark& mark = mark_[soil.id[i]];
-        cell_of_[i] = grid_.cell(soil.x[i], soil.y[i]);
-        const double changed = std::abs(soil.pressure[i] - mark.pressure);
-        if ((Vec2{soil.x[i], soil.y[i]} - mark.place).squaredNorm() > far2 ||
-            changed > load * (unit_ + load_share * std::abs(mark.pressure)))
-            restless_[cell_of_[i]] = 1;
+        if (is_restless_[i]) restless_[grid_.cell_of[i]] = 1;
     }
 }
 
@@ -68,7 +72,7 @@ void SleepWatch::find_growing(const Soil& soil) {
     set_all(growth_, restless_.size(), Growth{});
     for (int i = 0; i < soil.count; ++i) {
         const Mark& mark = mark_[soil.id[i]];
-        Growth& growth = growth_[cell_of_[i]];
+        Growth& growth = growth_[grid_.cell_of[i]];
         growth.moved += (Vec2{soil.x[i], soil.y[i]} - mark.place).norm();
         growth.before += mark.moved;
         ++growth.particles;
@@ -84,7 +88,7 @@ void SleepWatch::find_growing(const Soil& soil) {
 void SleepWatch::spread(const Soil& soil) {
     set_all(disturbed_, restless_.size(), char{0});
     for (int i = 0; i < soil.count; ++i) {
-        char& restless = restless_[cell_of_[i]];
+        char& restless = restless_[grid_.cell_of[i]];
         if (restless == 0) continue;
         restless = 0;  // once for all particles in it
         grid_.cells_around(grid_.window_of(soil.x[i], soil.y[i]), 1, [&](std::size_t low, std::size_t high) {
@@ -104,7 +108,7 @@ void SleepWatch::wake(const Soil& soil) {
     spread(soil);
     for (int i = 0; i < soil.count; ++i) {
         Mark& mark = mark_[soil.id[i]];
-        if (!mark.asleep || !disturbed_[cell_of_[i]]) continue;
+        if (!mark.asleep || !disturbed_[grid_.cell_of[i]]) continue;
         mark.asleep = false;
         mark.quiet_windows = 0;
         --sleepers_;
@@ -119,7 +123,7 @@ void SleepWatch::close_window(const Soil& soil, const std::vector<double>& densi
         Mark& mark = mark_[soil.id[i]];
         const Vec2 place{soil.x[i], soil.y[i]};
         if (!mark.asleep) {
-            mark.quiet_windows = disturbed_[cell_of_[i]] ? 0 : mark.quiet_windows + 1;
+            mark.quiet_windows = disturbed_[grid_.cell_of[i]] ? 0 : mark.quiet_windows + 1;
             mark.asleep = mark.quiet_windows >= quiet_windows;
             mark.density = density[i];
             sleepers_ += mark.asleep ? 1 : 0;

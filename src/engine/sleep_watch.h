@@ -22,7 +22,7 @@ namespace runout {
 class SleepWatch {
   public:
     /// `window`: s.
-    SleepWatch(const Discretisation& discretisation, double gravity, double window);
+    SleepWatch(const Discretisation& discretisation, double gravity, double window, int threads = 1);
 
     /// All is awake from here on; also after particles have been added.
     void wake_all(const Soil& soil, double time);
@@ -60,6 +60,7 @@ class SleepWatch {
     void close_window(const Soil& soil, const std::vector<double>& density, double time);
     void wake(const Soil& soil);
 
+    int threads_;
     double spacing_;  ///< m
     double unit_;     ///< rho g dl, Pa
     double window_;   ///< s
@@ -67,10 +68,10 @@ class SleepWatch {
     int sleepers_ = 0;
     std::vector<Mark> mark_;
     CellGrid grid_;
-    std::vector<std::size_t> cell_of_;  ///< per particle
-    std::vector<char> restless_;        ///< per cell: something in it is, until it has been spread
-    std::vector<char> disturbed_;       ///< per cell: something in it or next to it is
-    std::vector<Growth> growth_;        ///< per cell
+    std::vector<char> is_restless_;  ///< per particle
+    std::vector<char> restless_;     ///< per cell: something in it is, until it has been spread
+    std::vector<char> disturbed_;    ///< per cell: something in it or next to it is
+    std::vector<Growth> growth_;     ///< per cell
 };
 
 }  // namespace runout
