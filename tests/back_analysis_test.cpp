@@ -20,7 +20,6 @@ namespace {
 class BackAnalysisTest : public StoreTest {
   protected:
     void SetUp() override {
-        StoreTest::SetUp();
         folder = (directory / "slide").string();
         fs::create_directories(folder);
         write("case.toml",

@@ -5,7 +5,6 @@
 #include <ogrsf_frmts.h>
 
 #include <array>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <string>
@@ -13,6 +12,7 @@
 
 #include "core/input_error.h"
 #include "profile/profile.h"
+#include "temporary_folder.h"
 
 namespace runout {
 
@@ -63,17 +63,9 @@ inline std::string test_wkt() {
 /// Files in a directory of their own, removed afterwards, in any format of GDAL.
 class MapFiles : public testing::Test {
   protected:
-    void SetUp() override {
-        GDALAllRegister();
-        directory_ =
-            std::filesystem::temp_directory_path() /
-            (std::string("runout_map_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-        std::filesystem::remove_all(directory_);
-        std::filesystem::create_directories(directory_);
-    }
-    void TearDown() override { std::filesystem::remove_all(directory_); }
+    void SetUp() override { GDALAllRegister(); }
 
-    [[nodiscard]] std::string path(const std::string& name) const { return (directory_ / name).string(); }
+    [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
 
     std::string write(const std::string& name, const std::string& text) const {
         std::ofstream(path(name), std::ios::binary) << text;
@@ -143,7 +135,7 @@ class MapFiles : public testing::Test {
     }
 
   private:
-    std::filesystem::path directory_;
+    TemporaryFolder folder_;
 };
 
 inline testing::AssertionResult has_part(const std::string& text, const std::string& part) {

@@ -5,9 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <set>
 #include <string>
+
+#include "temporary_folder.h"
 
 namespace runout {
 namespace {
@@ -15,12 +16,9 @@ namespace {
 /// The case plans no runs, so the store stays empty.
 const CaseReport& report() {
     static const CaseReport made = [] {
-        const std::string path =
-            (std::filesystem::temp_directory_path() / "runout_numerics_test.db").string();
-        const Store store(path, Store::Mode::write);
-        CaseReport evaluated = numerics_case().evaluate(CaseRuns(store, {}), "cases/numerics", true);
-        std::filesystem::remove(path);
-        return evaluated;
+        const TemporaryFolder folder;
+        const Store store(folder.file("runs.db"), Store::Mode::write);
+        return numerics_case().evaluate(CaseRuns(store, {}), "cases/numerics", true);
     }();
     return made;
 }

@@ -8,6 +8,7 @@
 
 #include "core/units.h"
 #include "said.h"
+#include "temporary_folder.h"
 
 using namespace runout;
 
@@ -22,27 +23,18 @@ const std::vector<Vec2> cut{{0, 32}, {30, 32}, {41.5, 12}, {200, 12}};
 /// Files in a directory of their own, removed afterwards.
 class ProfileFiles : public testing::Test {
   protected:
-    void SetUp() override {
-        directory_ =
-            std::filesystem::temp_directory_path() /
-            (std::string("runout_profile_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-        std::filesystem::remove_all(directory_);
-        std::filesystem::create_directories(directory_);
-    }
-    void TearDown() override { std::filesystem::remove_all(directory_); }
-
     std::string write(const std::string& name, const std::string& text) const {
         std::ofstream(path(name), std::ios::binary) << text;
         return path(name);
     }
-    [[nodiscard]] std::string path(const std::string& name) const { return (directory_ / name).string(); }
+    [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
 
     [[nodiscard]] std::string csv_error(const std::string& text) const {
         return input_error([&] { read_profile_csv(write("section.csv", text), {}); });
     }
 
   private:
-    std::filesystem::path directory_;
+    TemporaryFolder folder_;
 };
 
 // ---- the local frame

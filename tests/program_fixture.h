@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "said.h"
+#include "temporary_folder.h"
 
 // The real program, as a shell sees it: exit codes, what goes to which stream, what is left on the disk.
 
@@ -96,35 +97,26 @@ inline constexpr const char* sound_case =
 
 class ProgramTest : public testing::Test {
   protected:
-    ProgramTest()
-        : folder_(fs::temp_directory_path() / fmt::format("runout-program-{}-{}", getpid(), test_name())) {
-        fs::create_directories(folder_ / "work");
+    ProgramTest() {
+        fs::create_directories(work());
         write("section.csv", slope);
         write("case.toml", sound_case);
     }
-    ~ProgramTest() override { fs::remove_all(folder_); }
-
-    static std::string test_name() {
-        std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-        for (char& c : name)
-            if (c == '/') c = '-';
-        return name;
-    }
 
     void write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / "work" / name, std::ios::binary) << text;
+        std::ofstream(work(name), std::ios::binary) << text;
     }
 
-    [[nodiscard]] fs::path work(const std::string& name = "") const { return folder_ / "work" / name; }
+    [[nodiscard]] fs::path work(const std::string& name = "") const { return folder_.path() / "work" / name; }
 
     [[nodiscard]] Outcome runout(const Arguments& arguments) const {
-        return Child(folder_, arguments).wait();
+        return Child(folder_.path(), arguments).wait();
     }
 
     [[nodiscard]] std::set<std::string> files() const {
         std::set<std::string> names;
-        for (const auto& entry : fs::recursive_directory_iterator(folder_ / "work"))
-            names.insert(fs::relative(entry.path(), folder_ / "work").string());
+        for (const auto& entry : fs::recursive_directory_iterator(work()))
+            names.insert(fs::relative(entry.path(), work()).string());
         return names;
     }
 
@@ -142,7 +134,7 @@ class ProgramTest : public testing::Test {
         EXPECT_EQ(files(), before);
     }
 
-    fs::path folder_;
+    TemporaryFolder folder_;
 };
 
 }  // namespace runout

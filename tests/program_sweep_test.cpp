@@ -98,7 +98,7 @@ TEST_F(ProgramTest, AKilledSweepLosesNothingThatHadEnded) {
     const std::string table = runout({"table", "whole.db"}).out;
     int kills = 0;
     for (int k = 0; k < 50; ++k) {
-        Child child(folder_, {"sweep", "study.toml", "--db", "killed.db", "-j", "2", "--quiet"});
+        Child child(folder_.path(), {"sweep", "study.toml", "--db", "killed.db", "-j", "2", "--quiet"});
         // Moments spread over the start, the runs and the writes; the same ones each time.
         std::this_thread::sleep_for(std::chrono::milliseconds(5 + (k * 37) % 97));
         child.kill_at_once();

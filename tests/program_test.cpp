@@ -183,7 +183,7 @@ void wait_for_file(const fs::path& path) {
 }
 
 TEST_F(ProgramTest, CtrlCEndsCleanlyWithTheRunStored) {
-    Child child(folder_, {"run", "case.toml", "--resolution", "150", "--json"});
+    Child child(folder_.path(), {"run", "case.toml", "--resolution", "150", "--json"});
     wait_for_file(work("runout.db"));
     child.interrupt();
     const Outcome outcome = child.wait();
@@ -195,7 +195,7 @@ TEST_F(ProgramTest, CtrlCEndsCleanlyWithTheRunStored) {
 }
 
 TEST_F(ProgramTest, ASecondCtrlCEndsAtOnce) {
-    Child child(folder_, {"run", "case.toml", "--resolution", "1000", "--json"});
+    Child child(folder_.path(), {"run", "case.toml", "--resolution", "1000", "--json"});
     wait_for_file(work("runout.db"));
     child.interrupt();
     std::this_thread::sleep_for(std::chrono::milliseconds(300));

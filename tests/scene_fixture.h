@@ -13,6 +13,7 @@
 #include "scene/case_file.h"
 #include "scene/parameters.h"
 #include "scene/scene.h"
+#include "temporary_folder.h"
 
 namespace runout {
 
@@ -21,19 +22,12 @@ namespace fs = std::filesystem;
 /// A folder of its own for each test, with a section in it.
 class SceneTest : public testing::Test {
   protected:
-    SceneTest()
-        : folder_(fs::temp_directory_path() / fmt::format("runout-scene-{}-{}", getpid(), test_name())) {
-        fs::create_directories(folder_);
-        write("section.csv", "chainage_m,elevation_m\n0,0.4\n0.3,0.4\n0.45,0\n2,0\n");
-    }
-    ~SceneTest() override { fs::remove_all(folder_); }
+    SceneTest() { write("section.csv", "chainage_m,elevation_m\n0,0.4\n0.3,0.4\n0.45,0\n2,0\n"); }
 
-    static std::string test_name() { return testing::UnitTest::GetInstance()->current_test_info()->name(); }
-
-    [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
 
     std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name, std::ios::binary) << text;
+        std::ofstream(path(name), std::ios::binary) << text;
         return path(name);
     }
 
@@ -58,7 +52,7 @@ class SceneTest : public testing::Test {
         return input_error([&] { make_scene(read_case(file)); });
     }
 
-    fs::path folder_;
+    TemporaryFolder folder_;
 };
 
 inline void expect_complaint(const std::string& sentence, const std::vector<std::string>& parts) {

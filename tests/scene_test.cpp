@@ -41,7 +41,7 @@ TEST_F(SceneTest, MakesAScene) {
 }
 
 TEST_F(SceneTest, PathsAreRelativeToTheCaseFile) {
-    fs::create_directories(folder_ / "cases" / "one");
+    fs::create_directories(folder_.path() / "cases" / "one");
     const std::string file =
         write("cases/one/case.toml",
               "[section]\nfile = \"../../section.csv\"\n[material]\nfriction_angle_deg = 38\n");

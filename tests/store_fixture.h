@@ -11,6 +11,7 @@
 #include "example_run.h"
 #include "said.h"
 #include "store/store.h"
+#include "temporary_folder.h"
 
 namespace runout {
 
@@ -19,14 +20,6 @@ namespace fs = std::filesystem;
 /// A directory of its own for every test, gone afterwards.
 class StoreTest : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string pattern = (fs::temp_directory_path() / "runout-store-XXXXXX").string();
-        ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-        directory = pattern;
-        path = (directory / "results.db").string();
-    }
-    void TearDown() override { fs::remove_all(directory); }
-
     long add(const Scene& scene, const RunResult& result) {
         return Store(path, Store::Mode::write).add(scene, result);
     }
@@ -40,8 +33,9 @@ class StoreTest : public testing::Test {
             std::distance(fs::directory_iterator(directory), fs::directory_iterator()));
     }
 
-    fs::path directory;
-    std::string path;
+    TemporaryFolder own;
+    fs::path directory = own.path();
+    std::string path = own.file("results.db");
 };
 
 inline std::string refusal_to_open(const std::string& path, Store::Mode mode) {

@@ -12,6 +12,7 @@
 #include "study/distribution.h"
 #include "study/scenarios.h"
 #include "study/study_file.h"
+#include "temporary_folder.h"
 
 namespace runout {
 namespace {
@@ -20,16 +21,8 @@ namespace fs = std::filesystem;
 
 class StudyTest : public testing::Test {
   protected:
-    void SetUp() override {
-        folder_ = fs::temp_directory_path() / (std::string("runout_study_") +
-                                               testing::UnitTest::GetInstance()->current_test_info()->name());
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     Study study(const std::string& text) const {
-        const std::string path = (folder_ / "study.toml").string();
+        const std::string path = folder_.file("study.toml");
         std::ofstream(path) << text;
         return read_study(path);
     }
@@ -41,7 +34,7 @@ class StudyTest : public testing::Test {
         }
         return "none";
     }
-    fs::path folder_;
+    TemporaryFolder folder_;
 };
 
 bool has(const std::string& text, const std::string& part) {

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 #include <string>
 
+#include "temporary_folder.h"
 #include "validation/run_suite.h"
 #include "validation/suite.h"
 
@@ -34,12 +34,11 @@ TEST_P(QuickValidation, LiesInItsBandsButForWhatIsKnown) {
     const auto item = std::find_if(all.begin(), all.end(),
                                    [](const ValidationCase& c) { return std::string(c.name) == GetParam(); });
     ASSERT_NE(item, all.end());
-    const std::string path = testing::TempDir() + "quick-" + GetParam() + ".db";
-    std::filesystem::remove(path);
+    const TemporaryFolder folder;
     SuiteOptions options;
     options.cases_folder = RUNOUT_SOURCE_DIR "/cases";
     options.quick = true;
-    Store store(path, Store::Mode::write);
+    Store store(folder.file("runs.db"), Store::Mode::write);
     const auto reports = run_suite({&*item, 1}, store, options);
     ASSERT_EQ(reports.size(), 1U);
     ASSERT_FALSE(reports[0].entries.empty());

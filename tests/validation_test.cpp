@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/input_error.h"
+#include "temporary_folder.h"
 #include "validation/data_file.h"
 #include "validation/run_suite.h"
 #include "validation/suite.h"
@@ -61,10 +62,11 @@ TEST(Ensemble, PlansFourLatticesAndFourWithTwiceTheSpacing) {
 }
 
 TEST(DataFile, ReadsLabelledAndPlainPoints) {
-    const fs::path path = fs::path(testing::TempDir()) / "points.csv";
+    const TemporaryFolder folder;
+    const std::string path = folder.file("points.csv");
     std::ofstream(path) << "# origin\nline,x,y\na,1,2\nb,3,4\na,5,6\n";
-    EXPECT_EQ(read_points(path.string(), "a"), (std::vector<Vec2>{{1, 2}, {5, 6}}));
-    EXPECT_THROW(read_points(path.string()), InputError);
+    EXPECT_EQ(read_points(path, "a"), (std::vector<Vec2>{{1, 2}, {5, 6}}));
+    EXPECT_THROW(read_points(path), InputError);
     EXPECT_THROW(read_points("no-such-file.csv"), InputError);
 }
 
@@ -105,11 +107,6 @@ CaseReport read_both(const CaseRuns& runs, const std::string&, bool) {
 class SuiteRunner : public testing::Test {
   protected:
     void SetUp() override {
-        path_ =
-            (fs::path(testing::TempDir()) /
-             (std::string("suite-") + testing::UnitTest::GetInstance()->current_test_info()->name() + ".db"))
-                .string();
-        fs::remove(path_);
         options_.cases_folder = RUNOUT_SOURCE_DIR "/cases";
         options_.jobs = 2;
         options_.on_run = [this](int, int, const std::string&) { ++simulated_; };
@@ -119,7 +116,8 @@ class SuiteRunner : public testing::Test {
         Store store(path_, Store::Mode::write);
         return run_suite({&small, 1}, store, options_);
     }
-    std::string path_;
+    TemporaryFolder folder_;
+    std::string path_ = folder_.file("suite.db");
     SuiteOptions options_;
     int simulated_ = 0;
 };
