@@ -216,7 +216,7 @@ TEST(Question, IsTheSameForEverySpacingAndLattice) {
     other.material.friction_angle += 0.01;
     EXPECT_NE(question_hash(scene), question_hash(other));
     other = scene;
-    other.run.courant = 0.2;
+    other.run.courant = 0.1;
     EXPECT_NE(question_hash(scene), question_hash(other));
 }
 

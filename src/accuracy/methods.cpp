@@ -78,7 +78,7 @@ StoredRun run_anew(const Scene& scene, Store& store, const std::atomic<bool>* in
 
 std::vector<MethodSetting> method_settings(double resolution) {
     std::vector<MethodSetting> settings;
-    for (const double courant : {0.05, 0.1, 0.2, 0.3, 0.4})
+    for (const double courant : {0.05, 0.1, 0.15, 0.3, 0.4})
         settings.push_back(number_setting("run.courant", courant, resolution, &RunSettings::courant));
     for (const int count : {1, 2, 10, 20})
         settings.push_back({"run.friction_iterations", std::to_string(count), resolution,

@@ -10,6 +10,11 @@
 #include "engine/strain_rate.h"
 
 namespace runout {
+namespace {
+
+constexpr double first_momentum_term = 4.0;  // t of Nesterov's sequence, which begins at 1 and has 3.8 as its sixth term
+
+}  // namespace
 
 Friction::Friction(const Discretisation& discretisation, YieldStrength yield, FrictionScheme scheme,
                    int iterations, int threads)
@@ -172,10 +177,11 @@ void Friction::final_velocity(const PairRows& rows, int last, const Soil& soil, 
     }
 }
 
-/// Nesterov's sequence.
+/// Nesterov's sequence from its sixth term on: the stress starts from that of the last step, and the small
+/// momenta of the first terms, meant for a start that is far off, only lose iterations.
 void Friction::set_momenta(int iterations) {
     momenta_.clear();
-    double t = 1.0;
+    double t = first_momentum_term;
     for (int k = 0; k < iterations; ++k) {
         const double next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * t * t));
         momenta_.push_back((t - 1.0) / next);

@@ -64,7 +64,7 @@ std::pair<std::string, std::string> split(const std::string& setting) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos)
         throw InputError({.file = "--set", .line = 0, .key = {}, .value = setting}, "is not key=value",
-                         "write --set run.courant=0.2");
+                         "write --set run.courant=0.1");
     return {setting.substr(0, equals), setting.substr(equals + 1)};
 }
 

@@ -191,7 +191,7 @@ std::vector<Parameter> numerical_run_parameters() {
         number("run.particle_spacing_m", "m", positive, "chosen to meet run.accuracy",
                "Distance between particles; excludes run.resolution.",
                [](CaseSpec& spec, double metres) { spec.run.particle_spacing = metres; }),
-        number("run.courant", "", above_zero_up_to(0.5), "0.15",
+        number("run.courant", "", above_zero_up_to(0.5), "0.2",
                "C_max: no particle moves further than this share of the spacing in a step.",
                [](CaseSpec& spec, double courant) { spec.run.courant = courant; }),
         number("run.smoothing_ratio", "", between(1, 2), "1.3", "Smoothing length over particle spacing.",
@@ -203,7 +203,7 @@ std::vector<Parameter> numerical_run_parameters() {
                  spec.run.friction =
                      name == "explicit" ? FrictionScheme::explicit_ : FrictionScheme::projected;
              }),
-        integer("run.friction_iterations", between(1, 1000), "5",
+        integer("run.friction_iterations", between(1, 1000), "6",
                 "Iterations of the projected friction in a step.",
                 [](CaseSpec& spec, int count) { spec.run.friction_iterations = count; }),
         number("run.pressure_tolerance", "", between(1e-12, 0.1), "0.01",

@@ -26,10 +26,10 @@ struct RunSettings {
     double particle_spacing = 0;   ///< dl, m; 0: from `resolution`
     double resolution = 40;        ///< sqrt(S)/dl when no spacing is given; `runout run` chooses it
     double gravity = 9.81;         ///< m/s2
-    double courant = 0.15;         ///< C_max of eq. 6
+    double courant = 0.2;          ///< C_max of eq. 6
     double smoothing_ratio = 1.3;  ///< h/dl
     FrictionScheme friction = FrictionScheme::projected;
-    int friction_iterations = 5;         ///< a step
+    int friction_iterations = 6;         ///< a step
     double pressure_tolerance = 1e-2;    ///< relative residual of the pressure equation
     double time_limit = 0;               ///< s of simulated time; 0: 60 sqrt(H/g) or more
     double front_thickness = 0;          ///< m, threshold of the contiguous front; 0: 3 % of sqrt(S)

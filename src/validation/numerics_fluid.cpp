@@ -10,9 +10,7 @@ namespace runout::numerics {
 namespace {
 
 constexpr double smoothing_ratio = 1.3;
-constexpr double courant = 0.15;               // the default of RunSettings
 constexpr double pressure_wave_courant = 0.5;  // that of Simulation
-constexpr double pressure_tolerance = 1e-2;    // the default of RunSettings
 
 std::vector<double> component(const std::vector<Vec2>& points, int c) {
     std::vector<double> values;
@@ -75,13 +73,13 @@ Fluid::Fluid(double spacing, const std::vector<Vec2>& points, const BedLine& bed
       gravity_(gravity),
       friction_(cloud.d, YieldStrength(Material{density, 0.0}, {}, {}), FrictionScheme::projected,
                 RunSettings{}.friction_iterations, 1),
-      pressure_(cloud.d, speed * speed / length, length, pressure_tolerance, 1) {}
+      pressure_(cloud.d, speed * speed / length, length, RunSettings{}.pressure_tolerance, 1) {}
 
 double Fluid::time_step() const {
     double speed2 = 0.0;
     for (int i = 0; i < cloud.soil.count; ++i)
         speed2 = std::max(speed2, std::pow(cloud.soil.vx[i], 2) + std::pow(cloud.soil.vy[i], 2));
-    const double passage = courant * cloud.d.spacing / std::sqrt(speed2);
+    const double passage = RunSettings{}.courant * cloud.d.spacing / std::sqrt(speed2);
     if (highest_pressure_ <= 0.0) return passage;
     return std::min(passage,
                     pressure_wave_courant * cloud.d.spacing / std::sqrt(highest_pressure_ / density));
