@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iostream>
+#include <optional>
 #include <ostream>
 #include <string>
 
+#include "core/input_error.h"
 #include "engine/simulation.h"
 #include "hard/hard_scenes.h"
 #include "observe.h"
@@ -38,6 +42,15 @@ std::vector<double> moved_spacings(const std::vector<Vec2>& from, const std::vec
     return moved;
 }
 
+/// Leaves a deposit for another 100 sqrt(H/g): how far each particle then is from its place, in spacings, in
+/// rising order.
+std::vector<double> creep(Simulation& simulation, const Scene& scene) {
+    const std::vector<Vec2> deposit = positions_by_id(simulation);
+    const double end = simulation.time() + 100 * std::sqrt(fall_height(scene) / scene.run.gravity);
+    while (simulation.time() < end) simulation.step();
+    return moved_spacings(deposit, positions_by_id(simulation), simulation.state().discretisation->spacing);
+}
+
 class HardSceneTest : public testing::TestWithParam<HardScene> {};
 
 TEST_P(HardSceneTest, SettlesAndThenStands) {
@@ -55,11 +68,7 @@ TEST_P(HardSceneTest, SettlesAndThenStands) {
         EXPECT_LE(reading.worst, reading.limit) << to_string(static_cast<Invariant>(k));
     }
 
-    const std::vector<Vec2> deposit = positions_by_id(simulation);
-    const double end = simulation.time() + 100 * std::sqrt(fall_height(scene) / scene.run.gravity);
-    while (simulation.time() < end) simulation.step();
-    const double spacing = simulation.state().discretisation->spacing;
-    const std::vector<double> moved = moved_spacings(deposit, positions_by_id(simulation), spacing);
+    const std::vector<double> moved = creep(simulation, scene);
     RecordProperty("creep_spacings", std::to_string(moved.back()));
     const auto beyond = moved.end() - std::ranges::lower_bound(moved, 1.0);
     RecordProperty("beyond_a_spacing", std::to_string(beyond));
@@ -79,6 +88,39 @@ std::vector<HardScene> scenes_where(bool quick) {
 
 INSTANTIATE_TEST_SUITE_P(Quick, HardSceneTest, testing::ValuesIn(scenes_where(true)), name_of);
 INSTANTIATE_TEST_SUITE_P(Full, HardSceneTest, testing::ValuesIn(scenes_where(false)), name_of);
+
+/// A scene of `runout stress`; none where the mass does not fit the hillside.
+std::optional<Scene> random_scene(const StressPoint& point) {
+    try {
+        return stress_scene(point, "random");
+    } catch (const InputError&) {
+        return {};
+    }
+}
+
+/// The deposits of the thousand scenes that `runout stress --scenes 1000 --seed N` draws.
+class RandomDepositsTest : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(RandomDepositsTest, Stand) {
+    int deposits = 0;
+    const std::vector<StressPoint> points = stress_points(stress_axes(), 1000, GetParam());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const std::optional<Scene> scene = random_scene(points[k]);
+        if (!scene) continue;
+        Simulation simulation(*scene);
+        while (simulation.status() == RunStatus::running) simulation.step();
+        ASSERT_TRUE(is_result(simulation.status())) << "scene " << k << ": " << simulation.status_detail();
+        const double furthest = creep(simulation, *scene).back();
+        EXPECT_LT(furthest, 1.0) << "scene " << k;
+        if (furthest > 0.3) std::cout << "scene " << k << ": " << furthest << " spacings\n";
+        ++deposits;
+    }
+    std::cout << deposits << " deposits\n";
+    EXPECT_GT(deposits, 600);
+}
+
+INSTANTIATE_TEST_SUITE_P(Full, RandomDepositsTest, testing::Values(1U, 2U, 3U),
+                         testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace runout
