@@ -157,6 +157,7 @@ void add_random(Scenes& scenes) {
     add_random(scenes, 2, {249, 419});
     add_random(scenes, 1, {365});  // a thin layer that kept jumping after its fall
     add_random(scenes, 2, {44});   // grains alone that the wall threw out
+    add_random(scenes, 2, {360});  // grains on steps of one particle that crept after their rest
     add_random(scenes, 3, {804});  // a jet from the foot of a wall
 }
 
