@@ -179,6 +179,14 @@ TEST(ErrorBar, ScatterIsThatOfTheLatticesNearby) {
     EXPECT_NEAR(error_bar(c, ladder[0].spacing), 2, 1e-12);
 }
 
+TEST(ErrorBar, ScatterIsTheGreatestOfTheRungsNearby) {
+    auto ladder = rungs({10, 10, 10, 10, 10, 10}, 0.1);
+    ladder[1].scatter = 0.3;
+    const Convergence c = judge_convergence(ladder, 0.01);
+    EXPECT_NEAR(error_bar(c, ladder[2].spacing), 0.6, 1e-12);
+    EXPECT_NEAR(error_bar(c, ladder[3].spacing), 0.2, 1e-12);
+}
+
 TEST(ErrorBar, WithoutAnOrderIsThatOfFirstOrderOverAnOctave) {
     // To and fro by more than the scatter, so neither plateau nor order.
     const auto ladder = rungs({9, 10.2, 9.6, 10.1, 9.8, 10}, 0.01);

@@ -16,8 +16,8 @@ constexpr int spacings_per_octave = 16, finer_octaves = 4;
 // Coarser rungs hardly resolve the front and follow no power law: a fit through them would extrapolate their
 // error.
 constexpr std::size_t most_rungs_in_fit = 4;
-// Scatter falls with the spacing, so only neighbouring rungs are pooled.
-constexpr std::size_t pooled_rungs = 3;
+// Scatter falls with the spacing, so it is taken from neighbouring rungs alone.
+constexpr std::size_t neighbouring_rungs = 3;
 
 /// Pooled over the rungs, each with its degrees of freedom.
 double pooled_scatter(std::span<const RungValue> rungs) {
@@ -30,16 +30,22 @@ double pooled_scatter(std::span<const RungValue> rungs) {
     return freedom > 0 ? std::sqrt(squares / freedom) : 0.0;
 }
 
-/// Pooled over the rungs whose spacing is nearest by ratio.
-double scatter_at(std::span<const RungValue> rungs, double spacing) {
-    const std::size_t count = std::min(rungs.size(), pooled_rungs);
+/// Those whose spacing is nearest by ratio.
+std::span<const RungValue> rungs_near(std::span<const RungValue> rungs, double spacing) {
+    const std::size_t count = std::min(rungs.size(), neighbouring_rungs);
     std::size_t nearest = 0;
     for (std::size_t k = 1; k < rungs.size(); ++k)
         if (std::abs(std::log(rungs[k].spacing / spacing)) <
             std::abs(std::log(rungs[nearest].spacing / spacing)))
             nearest = k;
     const std::size_t first = std::min(nearest - std::min(nearest, count / 2), rungs.size() - count);
-    return pooled_scatter(rungs.subspan(first, count));
+    return rungs.subspan(first, count);
+}
+
+/// The greatest of the rungs near it: a few lattices tell a scatter to within a third or so, that of a
+/// spacing between two rungs is not known, and a spacing is chosen because its error bar is short.
+double scatter_to_expect(std::span<const RungValue> rungs, double spacing) {
+    return std::ranges::max(rungs_near(rungs, spacing), {}, &RungValue::scatter).scatter;
 }
 
 /// What two means over that many lattices differ by through chance, 95 %.
@@ -181,7 +187,7 @@ double error_bar(const Convergence& convergence, double spacing) {
     for (int k = std::min(last, 0) - finer_octaves * spacings_per_octave; k <= last; ++k) {
         const double finer = finest * std::pow(2.0, static_cast<double>(k) / spacings_per_octave);
         const double of_spacing = error_of_spacing(convergence, flat, finer);
-        const double of_lattice = coverage_factor * scatter_at(convergence.rungs, finer);
+        const double of_lattice = coverage_factor * scatter_to_expect(convergence.rungs, finer);
         worst = std::max(worst, std::hypot(of_spacing, of_lattice));
     }
     return worst;
@@ -196,7 +202,7 @@ Convergence judge_convergence(std::span<const RungValue> rungs, double target) {
     Convergence result;
     result.uncertainty = std::numeric_limits<double>::quiet_NaN();
     if (!rungs.empty()) {
-        result.scatter = scatter_at(rungs, rungs.back().spacing);
+        result.scatter = pooled_scatter(rungs_near(rungs, rungs.back().spacing));
         result.finest_value = rungs.back().mean;
         result.finest_spacing = rungs.back().spacing;
     }

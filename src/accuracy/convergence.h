@@ -48,11 +48,11 @@ struct Convergence {
 Convergence judge_convergence(std::span<const RungValue> rungs, double target);
 
 /// Uncertainty (95 %) of one run with this spacing, of one lattice, from the ladder: the error of the spacing
-/// and twice the scatter of the lattices near it, as root of squares; no smaller than at any finer spacing.
-/// The error of the spacing: where the finest three rungs or more differ by no more than chance, their range
-/// and the distance from their mean; else by the least-squares fit where that finds an order between 0.5
-/// and 2.1 (Eca and Hoekstra 2014); else of first order from the finest rung and the one twice as coarse. NaN
-/// with too few rungs.
+/// and twice the greatest scatter of the lattices near it, as root of squares; no smaller than at any finer
+/// spacing. The error of the spacing: where the finest three rungs or more differ by no more than chance,
+/// their range and the distance from their mean; else by the least-squares fit where that finds an order
+/// between 0.5 and 2.1 (Eca and Hoekstra 2014); else of first order from the finest rung and the one twice as
+/// coarse. NaN with too few rungs.
 double error_bar(const Convergence& convergence, double spacing);
 
 /// The part of it that is the error of the spacing, at this spacing alone.

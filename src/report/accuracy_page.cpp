@@ -36,7 +36,7 @@ constexpr const char* how_to_read = R"(
 lattice and on lattices that start off it at random; numbers are means, and what stands after +- is the standard deviation of one
 lattice: what the arrangement of the particles alone changes, and no refinement of a single run removes.
 *off the finest* compares with the mean of the finest rung. The *error bar* is that of one run, 95 %: the error of the spacing and twice the
-scatter of the lattices near it, as root of squares. The error of the spacing is the range of the finest rungs where they differ by
+greatest scatter of the three rungs near it, as root of squares. The error of the spacing is the range of the finest rungs where they differ by
 no more than chance; else it comes from the least-squares form of the convergence where that finds an order (Eca and Hoekstra 2014),
 else of first order from the finest rung and the one twice as coarse, with the safety factor 1.25 of the grid convergence index.
 A run without a ladder of its own takes the worst of the shipped ladders at its spacing: the distance from the finest rung, what that
