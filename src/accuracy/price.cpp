@@ -6,8 +6,6 @@
 namespace runout {
 namespace {
 
-constexpr double steps_per_octave = 8;
-
 std::vector<CostSample> costs_of(const Ladder& ladder) {
     std::vector<CostSample> samples;
     for (const RungSummary& rung : ladder.rungs)
@@ -15,15 +13,15 @@ std::vector<CostSample> costs_of(const Ladder& ladder) {
     return samples;
 }
 
-/// Resolutions on offer, rising: from the coarsest rung to `farthest_beyond_ladder` times the finest.
-std::vector<double> offers(double coarsest, double finest) {
+/// Resolutions on offer, rising: those of the rungs, whose scatter is known, and beyond them to
+/// `farthest_beyond_ladder` times the finest. Between two rungs the rows of a source are others, and what
+/// that changes was never tried.
+std::vector<double> offers(std::span<const CostSample> rungs, double finest) {
     std::vector<double> resolutions;
-    const double end = farthest_beyond_ladder * finest;
-    for (int k = 0;; ++k) {
-        const double resolution = coarsest * std::pow(2.0, k / steps_per_octave);
-        if (resolution > end * (1 + 1e-9)) return resolutions;
-        resolutions.push_back(std::round(resolution));
-    }
+    for (const CostSample& rung : rungs) resolutions.push_back(rung.resolution);
+    for (int index = 0; rung_resolution(index) <= farthest_beyond_ladder * finest; ++index)
+        if (rung_resolution(index) > resolutions.back()) resolutions.push_back(rung_resolution(index));
+    return resolutions;
 }
 
 }  // namespace
@@ -38,7 +36,7 @@ std::optional<Price> price_of(const Ladder& ladder, const AccuracyTarget& target
     const CostModel model = fit_cost_model(samples);
     Price best;
     best.error_m = std::numeric_limits<double>::infinity();
-    for (const double resolution : offers(samples.front().resolution, reference.resolution)) {
+    for (const double resolution : offers(samples, reference.resolution)) {
         const double error = error_bar(run_out, root_area / resolution);
         if (!(error < best.error_m)) continue;
         const bool too_long = expected_cost(samples, model, resolution).cpu_s > longest_run_s;
