@@ -29,6 +29,17 @@ This page is made from a database of studies, one for each scene:
 
 )";
 
+constexpr const char* promises = R"(
+## Do chosen settings keep their promise?
+
+For each scene and target, `runout run` was left to choose: once from pilot runs, without this scene's
+own ladder and with the survey of shipped ladders *without this scene*, and once from its own ladder, a
+rung of which the run then repeats. The finest rung lies within the stated error bar in {} of {} runs;
+choosing took at most half the time of the run in {} of {}; the time was foretold within a factor of 1.5
+in {} of {}.
+
+)";
+
 constexpr const char* how_to_read = R"(
 ## How to read the scenes
 
@@ -109,16 +120,8 @@ std::string choices(std::span<const AccuracyStudy> studies) {
             foretold.count(well_foretold(check.run));
         }
     if (rows.empty()) return {};
-    return fmt::format(
-               "\n## Do chosen settings keep their promise?\n\nFor each scene and target, `runout run` was "
-               "left to "
-               "choose: once from pilot runs, without this scene's\nown ladder and with the survey of "
-               "shipped "
-               "ladders *without this scene*, and once from its own ladder.\nThe finest rung lies within the "
-               "stated error bar in {} of {} runs; choosing took at most half the time of the\nrun in {} of "
-               "{}; the "
-               "time was foretold within a factor of 1.5 in {} of {}.\n\n",
-               inside.kept, inside.all, cheap.kept, cheap.all, foretold.kept, foretold.all) +
+    return fmt::format(promises, inside.kept, inside.all, cheap.kept, cheap.all, foretold.kept,
+                       foretold.all) +
            "| scene | target | from | sqrt(S)/dl | stated error, % | off the finest, % | inside | choosing, "
            "s | "
            "foretold, s | took, s |\n|---|---|---|---:|---:|---:|---|---:|---:|---:|\n" +
