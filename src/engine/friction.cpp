@@ -12,7 +12,7 @@
 namespace runout {
 namespace {
 
-constexpr double first_momentum_term = 4.0;  // t of Nesterov's sequence, which begins at 1 and has 3.8 as its sixth term
+constexpr double first_momentum_term = 4.0;  // t of Nesterov's sequence: 1, 1.6, 2.2, 2.8, 3.3, 3.8 ...
 
 }  // namespace
 
