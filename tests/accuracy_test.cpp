@@ -220,6 +220,13 @@ TEST(Question, IsTheSameForEverySpacingAndLattice) {
     EXPECT_NE(question_hash(scene), question_hash(other));
 }
 
+/// One of those that ladders have, at any fineness: no spacing between two of them is offered.
+bool is_rung(double resolution) {
+    int index = 0;
+    while (rung_resolution(index) < resolution) ++index;
+    return rung_resolution(index) == resolution;
+}
+
 TEST_F(LadderTest, ClimbsStoresAndRepeatsNothing) {
     Store store(path, Store::Mode::write);
     LadderOptions options = two_rungs();
@@ -242,6 +249,8 @@ TEST_F(LadderTest, ClimbsStoresAndRepeatsNothing) {
     EXPECT_EQ(store.runs().size(), 6u);
     EXPECT_TRUE(ladder.convergence[0].fit);
     EXPECT_EQ(ladder.ended, "it was stopped");
+    ASSERT_FALSE(price_list(ladder).empty());
+    for (const Price& price : price_list(ladder)) EXPECT_TRUE(is_rung(price.resolution)) << price.resolution;
 
     stop = false;
     told = 0;

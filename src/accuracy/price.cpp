@@ -1,6 +1,5 @@
 #include "accuracy/price.h"
 
-#include <cmath>
 #include <limits>
 
 namespace runout {
