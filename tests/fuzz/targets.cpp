@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <string_view>
 
 #include "core/input_error.h"
 #include "profile/profile.h"
@@ -124,6 +125,32 @@ SourceSpec spec_from(Numbers& numbers) {
     return spec;
 }
 
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r";
+    const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
+    return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+}
+
+/// Each line of a case as `--set section.key=value`, all of one case, until one is refused.
+void override_with(std::string_view text) {
+    CaseSpec spec;
+    std::string section;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line = trimmed(text.substr(begin, end - begin));
+        begin = end + 1;
+        if (line.empty() || line.starts_with('#')) continue;
+        if (line.starts_with('[') && line.ends_with(']')) {
+            section = fmt::format("{}.", line.substr(1, line.size() - 2));
+            continue;
+        }
+        const std::size_t equals = std::min(line.find('='), line.size());
+        const std::string key(trimmed(line.substr(0, equals)));
+        const std::string value(trimmed(line.substr(std::min(equals + 1, line.size()))));
+        override_value(spec, key.find('.') == key.npos ? section + key : key, value, "--set");
+    }
+}
+
 }  // namespace
 
 void read_section(std::span<const std::uint8_t> bytes) {
@@ -134,18 +161,7 @@ void read_section(std::span<const std::uint8_t> bytes) {
 void read_case_file(std::span<const std::uint8_t> bytes) {
     const std::string path = written(bytes, ".toml");
     accept_input_error([&] { read_case(path); });
-    CaseSpec spec;
-    const std::string text(bytes.begin(), bytes.end());
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string line = text.substr(begin, end - begin);
-        const std::size_t equals = std::min(line.find('='), line.size());
-        accept_input_error([&] {
-            override_value(spec, line.substr(0, equals), line.substr(std::min(equals + 1, line.size())),
-                           "--set");
-        });
-        begin = end + 1;
-    }
+    accept_input_error([&] { override_with({reinterpret_cast<const char*>(bytes.data()), bytes.size()}); });
 }
 
 void derive_any_source(std::span<const std::uint8_t> bytes) {
