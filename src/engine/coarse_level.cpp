@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "engine/node_array.h"
@@ -180,15 +181,16 @@ void CoarseLevel::build(const Neighbours& n, const Soil& soil, const Wall& wall,
     if (f.size > 0) f.factorise();
 }
 
-const double* CoarseLevel::solve(const std::vector<int>& aggregate, const std::vector<double>& r) {
+CoarseCorrection CoarseLevel::solve(const std::vector<int>& aggregate, const std::vector<double>& r) {
     Factor& f = *factor_;
-    if (f.size == 0) return nullptr;
+    if (f.size == 0) return {};
     std::fill(f.right_hand_side.begin(), f.right_hand_side.end(), 0.0);
     for (std::size_t i = 0; i < aggregate.size(); ++i) {
         if (aggregate[i] >= 0) f.right_hand_side[aggregate[i]] += r[i];
     }
     f.solve();
-    return static_cast<const double*>(f.solution->x);
+    const auto* value = static_cast<const double*>(f.solution->x);
+    return {value, std::inner_product(f.right_hand_side.begin(), f.right_hand_side.end(), value, 0.0)};
 }
 
 }  // namespace runout

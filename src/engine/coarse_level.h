@@ -9,6 +9,12 @@
 
 namespace runout {
 
+/// What the coarse level adds to a residual's correction.
+struct CoarseCorrection {
+    const double* value = nullptr;  ///< one per cell, valid until the next call
+    double product = 0;             ///< with the residual: r . P A_c^-1 P^T r
+};
+
 /// Coarse level of the pressure preconditioner: one unknown per square cell of four spacings, piecewise
 /// constant, factorised by CHOLMOD. A factor of some steps ago still preconditions well; the particles carry
 /// the number of their cell with them until the next `build`.
@@ -24,8 +30,8 @@ class CoarseLevel {
     void build(const Neighbours& n, const Soil& soil, const Wall& wall, const std::vector<double>& diagonal,
                const std::vector<char>& free, double cell, std::vector<int>& aggregate);
 
-    /// A_c^-1 P^T r over nodes with an aggregate: one value per cell, valid until the next call.
-    const double* solve(const std::vector<int>& aggregate, const std::vector<double>& r);
+    /// A_c^-1 P^T r over nodes with an aggregate.
+    CoarseCorrection solve(const std::vector<int>& aggregate, const std::vector<double>& r);
 
   private:
     struct Factor;

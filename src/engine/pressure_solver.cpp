@@ -148,20 +148,16 @@ void PressureSolver::refresh_coarse_level(const Neighbours& n, Soil& soil, const
 /// out = A x. Returns x . A x.
 double PressureSolver::multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x,
                                 std::vector<double>& out) {
-    const int blocks = static_cast<int>(n.blocks.size());
-    const int chunks = (n.active_count() + boundary_chunk - 1) / boundary_chunk;
-    return sum_blocks(blocks + chunks, threads_, partial_, [&](int b) {
+    const std::vector<RowTask>& tasks = n.chunks.tasks;
+    return sum_blocks(static_cast<int>(tasks.size()), threads_, partial_, [&](int t) {
         double sum = 0.0;
-        if (b < blocks) {
-            for_each_awake_run(n.blocks[b], n, [&](const PairRows& rows, int last) {
+        do_task(
+            n, tasks[t],
+            [&](const PairRows& rows, int last) {
                 pair_kernels().pressure_product(rows, diagonal_.data(), x.data(), out.data());
                 for (int i = rows.first_row; i < last; ++i) sum += x[i] * out[i];
-            });
-        } else {
-            const int first = (b - blocks) * boundary_chunk;
-            const int last = std::min(n.active_count(), first + boundary_chunk);
-            for (int a = first; a < last; ++a) sum += multiply_boundary_row(n, wall, a, x, out);
-        }
+            },
+            [&](int a) { sum += multiply_boundary_row(n, wall, a, x, out); });
         return sum;
     });
 }
@@ -183,56 +179,65 @@ double PressureSolver::multiply_boundary_row(const Neighbours& n, const Wall& wa
 }
 
 /// Sum over all nodes of f(node), the same for any number of threads; f may write to its node.
-template <class Function>
-double PressureSolver::sum_nodes(const Function& f) {
+template <class Term, class Function>
+Term PressureSolver::sum_nodes(std::vector<Term>& partial, const Function& f) {
     const int size = static_cast<int>(pressure_.size());
-    return sum_pieces(size, threads_, partial_, [&](int first, int last) {
-        double sum = 0.0;
+    return sum_pieces(size, threads_, partial, [&](int first, int last) {
+        Term sum{};
         for (int i = first; i < last; ++i) sum += f(i);
         return sum;
     });
 }
 
-/// z = D^-1 r + coarse correction. Returns r.z.
-double PressureSolver::precondition() {
-    const double* coarse = coarse_.solve(aggregate_, residual_);
-    return sum_nodes([&](int i) {
-        correction_[i] = residual_[i] / diagonal_[i];
-        if (aggregate_[i] >= 0) correction_[i] += coarse_scale * coarse[aggregate_[i]];
-        return residual_[i] * correction_[i];
+ResidualNorms PressureSolver::start_residual() {
+    return sum_nodes(partial_norms_, [&](int i) {
+        const double r = free_[i] ? right_hand_side_[i] - product_[i] : 0.0;
+        residual_[i] = r;
+        return ResidualNorms{r * r, r * r / diagonal_[i]};
     });
 }
 
-/// Conjugate gradients from the pressure at hand, whose product with A is at hand as well.
+/// A step along the direction, whose product with A is at hand.
+ResidualNorms PressureSolver::advance(double alpha) {
+    return sum_nodes(partial_norms_, [&](int i) {
+        pressure_[i] += alpha * direction_[i];
+        const double r = residual_[i] - alpha * product_[i];
+        residual_[i] = r;
+        return ResidualNorms{r * r, r * r / diagonal_[i]};
+    });
+}
+
+/// The next direction: z + beta times the last, z = D^-1 r + coarse correction.
+void PressureSolver::turn(double beta, const double* coarse) {
+    for_each_piece(static_cast<int>(pressure_.size()), threads_, [&](int first, int last) {
+        for (int i = first; i < last; ++i) {
+            const double added = aggregate_[i] >= 0 ? coarse_scale * coarse[aggregate_[i]] : 0.0;
+            direction_[i] = residual_[i] / diagonal_[i] + added + beta * direction_[i];
+        }
+    });
+}
+
+/// Conjugate gradients from the pressure at hand, whose product with A is at hand as well. r.z needs no pass
+/// of its own: it is the sum of what the two levels give.
 PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
     PressureSolve result;
-    for (auto* field : {&residual_, &correction_}) fit(*field, n.nodes);
+    fit(residual_, n.nodes);
     set_all(direction_, n.nodes, 0.0);
     const double norm =
-        std::sqrt(sum_nodes([&](int i) { return right_hand_side_[i] * right_hand_side_[i]; }));
+        std::sqrt(sum_nodes(partial_, [&](int i) { return right_hand_side_[i] * right_hand_side_[i]; }));
     const double target = std::max(tolerance_ * norm, negligible_);
-    double left = std::sqrt(sum_nodes([&](int i) {
-        residual_[i] = free_[i] ? right_hand_side_[i] - product_[i] : 0.0;
-        return residual_[i] * residual_[i];
-    }));
+    ResidualNorms left = start_residual();
     double rz_old = 1.0;
-    while (left > target && result.iterations < max_iterations) {
-        const double rz = precondition();
-        const double beta = result.iterations == 0 ? 0.0 : rz / rz_old;
-        for_each_piece(n.nodes, threads_, [&](int first, int last) {
-            for (int i = first; i < last; ++i) direction_[i] = correction_[i] + beta * direction_[i];
-        });
-        const double alpha = rz / multiply(n, wall, direction_, product_);
-        left = std::sqrt(sum_nodes([&](int i) {
-            pressure_[i] += alpha * direction_[i];
-            residual_[i] -= alpha * product_[i];
-            return residual_[i] * residual_[i];
-        }));
+    while (std::sqrt(left.squared) > target && result.iterations < max_iterations) {
+        const CoarseCorrection coarse = coarse_.solve(aggregate_, residual_);
+        const double rz = left.scaled + coarse_scale * coarse.product;
+        turn(result.iterations == 0 ? 0.0 : rz / rz_old, coarse.value);
+        left = advance(rz / multiply(n, wall, direction_, product_));
         rz_old = rz;
         ++result.iterations;
     }
-    result.residual = norm > 0.0 ? left / norm : 0.0;
-    result.converged = left <= target;
+    result.residual = norm > 0.0 ? std::sqrt(left.squared) / norm : 0.0;
+    result.converged = std::sqrt(left.squared) <= target;
     return result;
 }
 

@@ -32,6 +32,17 @@ struct PressureStep {
     double renewal = 0.5;
 };
 
+/// Of a residual r, over all nodes.
+struct ResidualNorms {
+    double squared = 0;  ///< r . r
+    double scaled = 0;   ///< r . D^-1 r
+    ResidualNorms& operator+=(const ResidualNorms& other) {
+        squared += other.squared;
+        scaled += other.scaled;
+        return *this;
+    }
+};
+
 /// What one pressure solve took.
 struct PressureSolve {
     int iterations = 0;
@@ -90,9 +101,11 @@ class PressureSolver {
                                  std::vector<double>& out) const;
     void cut_off_tension(const Neighbours& n);
     double hand_over(const Neighbours& n, double renewal, Soil& soil, Wall& wall);
-    double precondition();
-    template <class Function>
-    double sum_nodes(const Function& f);
+    ResidualNorms start_residual();
+    ResidualNorms advance(double alpha);
+    void turn(double beta, const double* coarse);
+    template <class Term, class Function>
+    Term sum_nodes(std::vector<Term>& partial, const Function& f);
     PressureSolve iterate(const Neighbours& n, const Wall& wall);
 
     Discretisation discretisation_;
@@ -113,12 +126,13 @@ class PressureSolver {
     // Node arrays.
     std::vector<double> kept_, gradient_x_, gradient_y_;  ///< m p^n and its gradient
     std::vector<FloatPair> trial_velocity_;               ///< v* under m p^n, m/s
-    std::vector<double> pressure_, right_hand_side_, diagonal_, residual_, correction_, direction_, product_;
+    std::vector<double> pressure_, right_hand_side_, diagonal_, residual_, direction_, product_;
     std::vector<char> free_;
     std::vector<int> aggregate_;
     std::vector<int> boundary_node_;  ///< per boundary particle of the wall; -1: not active
     std::vector<int> numbered_;       ///< those that have one
     std::vector<double> partial_;
+    std::vector<ResidualNorms> partial_norms_;
 };
 
 }  // namespace runout

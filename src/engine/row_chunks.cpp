@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "engine/neighbours.h"
 #include "engine/node_array.h"
@@ -37,6 +38,7 @@ void RowCutter::cut(Neighbours& n) {
         cut_blocks(blocks, chunks);
     }
     place_boundary(n, chunks);
+    list_tasks(n, chunks);
 }
 
 void RowCutter::find_reach(const Neighbours& n) {
@@ -86,11 +88,28 @@ void RowCutter::place_boundary(const Neighbours& n, RowChunks& chunks) {
     make_room(cursor_, chunks.boundary_start.size());
     cursor_.assign(chunks.boundary_start.begin(), chunks.boundary_start.end());
     for (int a = 0; a < n.active_count(); ++a) chunks.boundary[cursor_[chunk_of_boundary(a)]++] = a;
+}
+
+void RowCutter::list_tasks(const Neighbours& n, RowChunks& chunks) {
+    make_room(chunks.task_start, chunks.block_start.size());
+    make_room(chunks.tasks, n.blocks.size() + n.active_count() / boundary_chunk + chunks.count());
+    chunks.task_start.assign(1, 0);
+    chunks.tasks.clear();
     chunks.widest = 0;
-    for (int c = 0; c < count; ++c) {
-        const int boundary = chunks.boundary_start[c + 1] - chunks.boundary_start[c];
-        chunks.widest = std::max(chunks.widest, chunks.block_start[c + 1] - chunks.block_start[c] +
-                                                    (boundary + boundary_chunk - 1) / boundary_chunk);
+    for (int c = 0; c < chunks.count(); ++c) {
+        int placed = chunks.boundary_start[c];
+        const int end = chunks.boundary_start[c + 1];
+        const auto place_piece = [&] {
+            const int first = std::exchange(placed, std::min(placed + boundary_chunk, end));
+            chunks.tasks.push_back({-1, first, placed});
+        };
+        for (int b = chunks.block_start[c]; b < chunks.block_start[c + 1]; ++b) {
+            chunks.tasks.push_back({b});
+            while (placed < end && first_block(n, chunks.boundary[placed]) <= b) place_piece();
+        }
+        while (placed < end) place_piece();
+        chunks.task_start.push_back(static_cast<int>(chunks.tasks.size()));
+        chunks.widest = std::max(chunks.widest, chunks.task_start[c + 1] - chunks.task_start[c]);
     }
 }
 

@@ -7,6 +7,13 @@
 
 namespace runout {
 
+/// Does one task: rows(run, last) as for_each_awake_run, or boundary(a) for each of its boundary particles.
+template <class Rows, class Boundary>
+void do_task(const Neighbours& n, const RowTask& task, const Rows& rows, const Boundary& boundary) {
+    if (task.block >= 0) return for_each_awake_run(n.blocks[task.block], n, rows);
+    for (int k = task.first; k < task.last; ++k) boundary(n.chunks.boundary[k]);
+}
+
 /// Runs `passes` passes over all rows: rows(pass, rows, last) as for_each_awake, boundary(pass, a) for every
 /// active boundary particle, on `threads` threads. In a pass, rows may read of their neighbours what earlier
 /// passes wrote, and write only what is their own and no neighbour reads in the same pass. The result is that
@@ -19,15 +26,11 @@ template <class Rows, class Boundary>
 void for_each_pass(const Neighbours& n, int passes, int threads, const Rows& rows, const Boundary& boundary) {
     const RowChunks& chunks = n.chunks;
     const auto work = [&](int pass, int chunk, int task) {
-        const int block = chunks.block_start[chunk] + task;
-        if (block < chunks.block_start[chunk + 1]) {
-            return for_each_awake_run(n.blocks[block], n,
-                                      [&](const PairRows& run, int last) { rows(pass, run, last); });
-        }
-        const int first =
-            chunks.boundary_start[chunk] + (block - chunks.block_start[chunk + 1]) * boundary_chunk;
-        const int last = std::min(chunks.boundary_start[chunk + 1], first + boundary_chunk);
-        for (int k = first; k < last; ++k) boundary(pass, chunks.boundary[k]);
+        const int t = chunks.task_start[chunk] + task;
+        if (t >= chunks.task_start[chunk + 1]) return;
+        do_task(
+            n, chunks.tasks[t], [&](const PairRows& run, int last) { rows(pass, run, last); },
+            [&](int a) { boundary(pass, a); });
     };
     for (int stage = 0; stage < chunks.count() + 2 * (passes - 1); ++stage) {
         const int first = std::max(0, (stage - chunks.count() + 2) / 2);
