@@ -30,7 +30,7 @@ struct RowChunks {
 };
 
 /// Active boundary particles that one thread works on at a time: about as long as on a block.
-constexpr int boundary_chunk = 64;
+constexpr int boundary_chunk = 32;
 
 /// Cuts the rows into chunks; keeps the memory from call to call.
 class RowCutter {
