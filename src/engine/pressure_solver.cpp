@@ -178,32 +178,20 @@ double PressureSolver::multiply_boundary_row(const Neighbours& n, const Wall& wa
     return x[node] * out[node];
 }
 
-/// Sum over all nodes of f(node), the same for any number of threads; f may write to its node.
-template <class Term, class Function>
-Term PressureSolver::sum_nodes(std::vector<Term>& partial, const Function& f) {
-    const int size = static_cast<int>(pressure_.size());
-    return sum_pieces(size, threads_, partial, [&](int first, int last) {
-        Term sum{};
-        for (int i = first; i < last; ++i) sum += f(i);
-        return sum;
-    });
-}
-
-ResidualNorms PressureSolver::start_residual() {
-    return sum_nodes(partial_norms_, [&](int i) {
-        const double r = free_[i] ? right_hand_side_[i] - product_[i] : 0.0;
-        residual_[i] = r;
-        return ResidualNorms{r * r, r * r / diagonal_[i]};
-    });
-}
-
-/// A step along the direction, whose product with A is at hand.
-ResidualNorms PressureSolver::advance(double alpha) {
-    return sum_nodes(partial_norms_, [&](int i) {
-        pressure_[i] += alpha * direction_[i];
-        const double r = residual_[i] - alpha * product_[i];
-        residual_[i] = r;
-        return ResidualNorms{r * r, r * r / diagonal_[i]};
+/// Gives each node the residual that `renew(i)` returns, and sums it over the coarse cells.
+template <class Function>
+ResidualNorms PressureSolver::renew_residual(const Function& renew) {
+    return sum_blocks(static_cast<int>(parts_.size()), threads_, partial_norms_, [&](int p) {
+        NodePart& part = parts_[p];
+        part.clear();
+        ResidualNorms norms;
+        for (int i = part.first; i < part.last; ++i) {
+            const double r = renew(i);
+            residual_[i] = r;
+            norms += {r * r, r * r / diagonal_[i]};
+            if (aggregate_[i] >= 0) part.sum[aggregate_[i] - part.low] += r;
+        }
+        return norms;
     });
 }
 
@@ -223,16 +211,24 @@ PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
     PressureSolve result;
     fit(residual_, n.nodes);
     set_all(direction_, n.nodes, 0.0);
-    const double norm =
-        std::sqrt(sum_nodes(partial_, [&](int i) { return right_hand_side_[i] * right_hand_side_[i]; }));
+    const double norm = std::sqrt(sum_pieces(n.nodes, threads_, partial_, [&](int first, int last) {
+        double sum = 0.0;
+        for (int i = first; i < last; ++i) sum += right_hand_side_[i] * right_hand_side_[i];
+        return sum;
+    }));
     const double target = std::max(tolerance_ * norm, negligible_);
-    ResidualNorms left = start_residual();
+    ResidualNorms left =
+        renew_residual([&](int i) { return free_[i] ? right_hand_side_[i] - product_[i] : 0.0; });
     double rz_old = 1.0;
     while (std::sqrt(left.squared) > target && result.iterations < max_iterations) {
-        const CoarseCorrection coarse = coarse_.solve(aggregate_, residual_);
+        const CoarseCorrection coarse = coarse_.solve(parts_);
         const double rz = left.scaled + coarse_scale * coarse.product;
         turn(result.iterations == 0 ? 0.0 : rz / rz_old, coarse.value);
-        left = advance(rz / multiply(n, wall, direction_, product_));
+        const double alpha = rz / multiply(n, wall, direction_, product_);
+        left = renew_residual([&](int i) {
+            pressure_[i] += alpha * direction_[i];
+            return residual_[i] - alpha * product_[i];
+        });
         rz_old = rz;
         ++result.iterations;
     }
@@ -283,6 +279,7 @@ PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
     }
     set_right_hand_side(n, wall, vx, vy, start);
     refresh_coarse_level(n, soil, wall);
+    cut_into_parts(aggregate_, threads_, parts_);
     PressureSolve result = iterate(n, wall);
     last_iterations_ = result.iterations;
     if (steps_since_build_ == 0) iterations_after_build_ = result.iterations;

@@ -101,11 +101,9 @@ class PressureSolver {
                                  std::vector<double>& out) const;
     void cut_off_tension(const Neighbours& n);
     double hand_over(const Neighbours& n, double renewal, Soil& soil, Wall& wall);
-    ResidualNorms start_residual();
-    ResidualNorms advance(double alpha);
     void turn(double beta, const double* coarse);
-    template <class Term, class Function>
-    Term sum_nodes(std::vector<Term>& partial, const Function& f);
+    template <class Function>
+    ResidualNorms renew_residual(const Function& renew);
     PressureSolve iterate(const Neighbours& n, const Wall& wall);
 
     Discretisation discretisation_;
@@ -119,6 +117,7 @@ class PressureSolver {
 
     CoarseLevel coarse_;
     std::vector<int> wall_aggregate_;
+    std::vector<NodePart> parts_;  ///< with the sums of the residual
     int steps_since_build_ = 0;
     int iterations_after_build_ = 0;
     int last_iterations_ = 0;
