@@ -279,7 +279,7 @@ TEST(Operators, InternalForcesAddUpToNothing) {
 
 TEST(PressureEquation, WeightOfAFilledBoxIsHydrostatic) {
     Filled f(20);
-    PressureSolver solver(f.d, 9.81, 20 * spacing, 1e-6, 1);
+    PressureSolver solver(f.d, 9.81, 20 * spacing, 1e-6);
     const double dt = 1e-3;
     std::vector<double> vx(f.n.nodes, 0.0);
     std::vector<double> vy(f.n.nodes, 0.0);
@@ -305,7 +305,7 @@ TEST(PressureEquation, WeightOfAFilledBoxIsHydrostatic) {
 TEST(PressureEquation, IterationsDoNotGrowWithTheNumberOfParticles) {
     const auto iterations = [](int cells) {
         Filled f(cells);
-        PressureSolver solver(f.d, 9.81, cells * spacing, 1e-3, 1);
+        PressureSolver solver(f.d, 9.81, cells * spacing, 1e-3);
         std::vector<double> vx(f.n.nodes, 0.0);
         std::vector<double> vy(f.n.nodes, -9.81e-3);
         std::fill(vy.begin() + f.soil.count, vy.end(), 0.0);

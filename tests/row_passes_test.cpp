@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <vector>
@@ -32,11 +33,19 @@ struct PartlyResting : High {
 
 int chunk_of(const Neighbours& n, int row) {
     int c = 0;
-    while (n.chunks.block_start[c + 1] * rows_per_block <= row) ++c;
+    while (n.chunks.list[c].last_block * rows_per_block <= row) ++c;
     return c;
 }
 
-void expect_no_pair_beyond_the_next_chunk(const Neighbours& n) {
+/// Per active boundary particle.
+std::vector<int> chunks_of_boundary(const Neighbours& n) {
+    std::vector<int> chunk(n.active_count(), -1);
+    for (int c = 0; c < n.chunks.count(); ++c) for_each_boundary(n, c, [&](int a) { chunk[a] = c; });
+    return chunk;
+}
+
+void expect_no_pair_beyond_the_next_chunk(const High& f) {
+    const Neighbours& n = f.n;
     ASSERT_GT(n.chunks.count(), 4);
     for (const PairBlock& block : n.blocks) {
         for_each_pair(block, n, [&](int i, int j, int) {
@@ -44,20 +53,44 @@ void expect_no_pair_beyond_the_next_chunk(const Neighbours& n) {
             ASSERT_LE(std::abs(chunk_of(n, i) - chunk_of(n, j)), 1) << i << ' ' << j;
         });
     }
-    int placed = 0;
-    for (int c = 0; c < n.chunks.count(); ++c) {
-        for (int k = n.chunks.boundary_start[c]; k < n.chunks.boundary_start[c + 1]; ++k, ++placed) {
-            const int a = n.chunks.boundary[k];
-            for (int p = n.boundary_start[a]; p < n.boundary_start[a + 1]; ++p)
-                ASSERT_LE(std::abs(chunk_of(n, n.boundary_pairs[p].soil) - c), 1) << "boundary " << a;
+    const std::vector<int> chunk = chunks_of_boundary(n);
+    for (int a = 0; a < n.active_count(); ++a) {
+        ASSERT_GE(chunk[a], 0) << "boundary " << a;
+        for (int p = n.boundary_start[a]; p < n.boundary_start[a + 1]; ++p)
+            ASSERT_LE(std::abs(chunk_of(n, n.boundary_pairs[p].soil) - chunk[a]), 1) << "boundary " << a;
+        const int b = n.active[a];
+        for (int k = f.wall.neighbour_start[b]; k < f.wall.neighbour_start[b + 1]; ++k) {
+            const int other = n.node_of_boundary[f.wall.neighbour[k]];
+            if (other < 0) continue;
+            ASSERT_LE(std::abs(chunk[other - n.first_boundary] - chunk[a]), 1) << "boundary " << a;
         }
     }
-    EXPECT_EQ(placed, n.active_count());
+}
+
+/// Pairs of soil and wall of the chunks of each share.
+std::vector<double> work_of_shares(const Neighbours& n) {
+    std::vector<double> work;
+    for (int share = 0; share < n.chunks.shares(); ++share) {
+        double pairs = 0;
+        for (int c = n.chunks.share_start[share]; c < n.chunks.share_start[share + 1]; ++c)
+            for_each_awake(n, c, [&](const PairRows& rows, int) { pairs += rows.offset[rows.slices]; });
+        work.push_back(pairs);
+    }
+    return work;
+}
+
+TEST(RowChunksTest, EachThreadHasTheSameWork) {
+    High f;
+    NeighbourSearch search(f.d, 2);
+    search.find(f.soil, f.wall, f.n);
+    const std::vector<double> work = work_of_shares(f.n);
+    ASSERT_EQ(work.size(), 2u);
+    EXPECT_NEAR(work[0], work[1], 0.01 * work[0]);
 }
 
 TEST(RowChunksTest, NoPairReachesBeyondTheNextChunk) {
-    expect_no_pair_beyond_the_next_chunk(High().n);
-    expect_no_pair_beyond_the_next_chunk(PartlyResting().n);
+    expect_no_pair_beyond_the_next_chunk(High());
+    expect_no_pair_beyond_the_next_chunk(PartlyResting());
 }
 
 /// Two fields that are made from each other in turn, pass by pass, as friction makes velocity and stress.
@@ -85,7 +118,13 @@ struct Fields {
     }
 };
 
-void expect_the_same_as_pass_by_pass(const Neighbours& n, int threads) {
+/// On `threads` threads.
+void expect_the_same_as_pass_by_pass(Filled f, int threads) {
+    NeighbourSearch search(f.d, threads);
+    search.sort(f.soil);
+    search.find(f.soil, f.wall, f.n);
+    const Neighbours& n = f.n;
+    EXPECT_EQ(n.chunks.shares(), std::min(threads, n.chunks.count()));
     constexpr int passes = 7;
     Fields expected(n);
     for (int pass = 0; pass < passes; ++pass) {
@@ -96,19 +135,21 @@ void expect_the_same_as_pass_by_pass(const Neighbours& n, int threads) {
         for (int a = 0; a < n.active_count(); ++a) expected.update_boundary(n, pass, a);
     }
     Fields found(n);
-    for_each_pass(
-        n, passes, threads,
-        [&](int pass, const PairRows& rows, int last) { found.update_rows(pass, rows, last); },
-        [&](int pass, int a) { found.update_boundary(n, pass, a); });
+    PassGates gates;
+    for_each_pass(n.chunks, passes, gates, [&](int pass, int chunk) {
+        for_each_awake(n, chunk,
+                       [&](const PairRows& rows, int last) { found.update_rows(pass, rows, last); });
+        for_each_boundary(n, chunk, [&](int a) { found.update_boundary(n, pass, a); });
+    });
     EXPECT_EQ(found.even, expected.even);
     EXPECT_EQ(found.odd, expected.odd);
 }
 
 TEST(RowPassesTest, GiveWhatOnePassAfterTheOtherGives) {
-    for (const int threads : {1, 2, 3}) {
-        expect_the_same_as_pass_by_pass(Filled(20).n, threads);  // in one chunk
-        expect_the_same_as_pass_by_pass(High().n, threads);
-        expect_the_same_as_pass_by_pass(PartlyResting().n, threads);
+    for (const int threads : {1, 2, 3, 4}) {
+        expect_the_same_as_pass_by_pass(Filled(30), threads);
+        expect_the_same_as_pass_by_pass(High(), threads);
+        expect_the_same_as_pass_by_pass(PartlyResting(), threads);
     }
 }
 

@@ -5,19 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 
 #include "engine/node_array.h"
-#include "engine/parallel.h"
 
 namespace runout {
 namespace {
 
 constexpr int reach = 2;  // cells that a pair can span: supports merge through boundary particles
 constexpr int span = 2 * reach + 1;
-constexpr int node_parts = 8;
 
 struct Cell {
     long column, row;
@@ -29,26 +26,6 @@ struct Cell {
 using Stencil = std::array<double, span * span>;
 
 }  // namespace
-
-void cut_into_parts(const std::vector<int>& aggregate, int threads, std::vector<NodePart>& parts) {
-    const int size = static_cast<int>(aggregate.size());
-    const int length = (size + node_parts - 1) / node_parts;
-    parts.resize(node_parts);
-    for_each_block(node_parts, threads, [&](int p) {
-        NodePart& part = parts[p];
-        part.first = std::min(size, p * length);
-        part.last = std::min(size, part.first + length);
-        int low = std::numeric_limits<int>::max();
-        int high = -1;
-        for (int i = part.first; i < part.last; ++i) {
-            if (aggregate[i] < 0) continue;
-            low = std::min(low, aggregate[i]);
-            high = std::max(high, aggregate[i]);
-        }
-        part.low = high < 0 ? 0 : low;
-        fit(part.sum, high < 0 ? 0 : high - low + 1);
-    });
-}
 
 struct CoarseLevel::Factor {
     cholmod_common common{};
@@ -204,11 +181,11 @@ void CoarseLevel::build(const Neighbours& n, const Soil& soil, const Wall& wall,
     if (f.size > 0) f.factorise();
 }
 
-CoarseCorrection CoarseLevel::solve(const std::vector<NodePart>& parts) {
+CoarseCorrection CoarseLevel::solve(const std::vector<CellSums>& sums) {
     Factor& f = *factor_;
     if (f.size == 0) return {};
     std::fill(f.right_hand_side.begin(), f.right_hand_side.end(), 0.0);
-    for (const NodePart& part : parts) {
+    for (const CellSums& part : sums) {
         for (std::size_t k = 0; k < part.sum.size(); ++k) f.right_hand_side[part.low + k] += part.sum[k];
     }
     f.solve();

@@ -10,19 +10,14 @@
 
 namespace runout {
 
-/// A part of the nodes and the sums of a field of theirs over the coarse cells that they are in. Nodes that
-/// follow each other are near each other, so that it has few cells; the parts do not depend on the number of
-/// threads, and neither do the sums.
-struct NodePart {
-    int first = 0, last = 0;  ///< nodes [first, last)
-    int low = 0;              ///< the lowest cell among them
+/// Sums of a field over the coarse cells that the nodes of a chunk are in. Those are near each other, so that
+/// the cells are few.
+struct CellSums {
+    int low = 0;              ///< the lowest cell
     std::vector<double> sum;  ///< per cell from `low` on
 
     void clear() { std::fill(sum.begin(), sum.end(), 0.0); }
 };
-
-/// Cuts the nodes into parts. `aggregate`: each node's cell, -1: none.
-void cut_into_parts(const std::vector<int>& aggregate, int threads, std::vector<NodePart>& parts);
 
 /// What the coarse level adds to a residual's correction.
 struct CoarseCorrection {
@@ -45,8 +40,8 @@ class CoarseLevel {
     void build(const Neighbours& n, const Soil& soil, const Wall& wall, const std::vector<double>& diagonal,
                const std::vector<char>& free, double cell, std::vector<int>& aggregate);
 
-    /// A_c^-1 P^T r, given the sums P^T r part by part.
-    CoarseCorrection solve(const std::vector<NodePart>& parts);
+    /// A_c^-1 P^T r, given the sums P^T r chunk by chunk.
+    CoarseCorrection solve(const std::vector<CellSums>& sums);
 
   private:
     struct Factor;

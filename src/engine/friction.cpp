@@ -5,7 +5,6 @@
 
 #include "engine/node_array.h"
 #include "engine/operators.h"
-#include "engine/parallel.h"
 #include "engine/row_passes.h"
 #include "engine/strain_rate.h"
 
@@ -17,74 +16,84 @@ constexpr double first_momentum_term = 4.0;  // t of Nesterov's sequence: 1, 1.6
 }  // namespace
 
 Friction::Friction(const Discretisation& discretisation, YieldStrength yield, FrictionScheme scheme,
-                   int iterations, int threads)
+                   int iterations)
     : discretisation_(discretisation),
       yield_(std::move(yield)),
       scheme_(scheme),
-      iterations_(iterations),
-      threads_(threads) {}
+      iterations_(iterations) {}
 
 void Friction::load(const Neighbours& n, const Soil& soil, const Wall& wall) {
     for (auto* field : {&pressure_x_, &pressure_y_}) fit(*field, n.nodes);
-    for (auto* field : {&ahead_, &base_velocity_, &force_}) fit(*field, n.nodes);
-    for (auto* field : {&stress_, &velocity_}) set_rest(*field, soil.count, n.nodes, FloatPair{});
+    for (auto* field : {&base_velocity_, &force_}) fit(*field, n.nodes);
+    for (auto* field : {&stress_, &ahead_, &velocity_}) set_rest(*field, soil.count, n.nodes, FloatPair{});
     set_rest(pressure_, soil.count, n.nodes, 0.0);
-    fit(strength_, n.nodes);
+    set_rest(strength_, soil.count, n.nodes, 0.0F);
+    if (yield_.depends_on_rate()) fit(strain_rate_, n.nodes);
     if (yield_.cohesive())
         for (int c = 0; c < 4; ++c) set_all(no_correction_[c], n.nodes, c == 0 || c == 3 ? 1.0F : 0.0F);
-    for_each_piece(soil.count, threads_, [&](int first, int last) {
-        for (int i = first; i < last; ++i) {
+    for_each_chunk(n.chunks, [&](int chunk) {
+        for_each_soil(n, chunk, [&](int i) {
             pressure_[i] = soil.pressure[i];
             stress_[i] = {static_cast<float>(soil.sxx[i]), static_cast<float>(soil.sxy[i])};
+            ahead_[i] = stress_[i];
             velocity_[i] = {static_cast<float>(soil.vx[i]), static_cast<float>(soil.vy[i])};
-        }
+        });
+        for_each_boundary(n, chunk, [&](int a) {
+            const int node = n.first_boundary + a;
+            const int b = n.active[a];
+            pressure_[node] = wall.pressure[b];
+            stress_[node] = {static_cast<float>(wall.sxx[b]), static_cast<float>(wall.sxy[b])};
+            ahead_[node] = stress_[node];
+        });
     });
-    for (int a = 0; a < n.active_count(); ++a) {
-        const int node = n.first_boundary + a;
-        pressure_[node] = wall.pressure[n.active[a]];
-        stress_[node] = {static_cast<float>(wall.sxx[n.active[a]]),
-                         static_cast<float>(wall.sxy[n.active[a]])};
-    }
 }
 
 /// |e| of the velocity at the start of the step. A boundary particle has the mean rate of the soil on it.
 void Friction::find_strain_rate(const Neighbours& n, const Soil& soil, const Wall& wall, const BedLine& bed) {
-    strain_rate_.assign(n.nodes, 0.0);
-    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        for_each_velocity_gradient(
-            n.blocks[b], n, velocity_.data(), [&](int i, const VelocityGradient& plain) {
-                VelocityGradient g = plain;
-                if (n.nearest_boundary[i] >= 0) {
-                    const BedLine::Nearest near =
-                        bed.nearest({soil.x[i], soil.y[i]}, wall.segment[n.nearest_boundary[i]], 8);
-                    g = gradient_without_slip(n.blocks[b], n, soil, i, plain, near, discretisation_.spacing);
-                }
-                g = g.corrected(n, i);
-                strain_rate_[i] = std::hypot(g.exx(), g.exy());
-            });
-    });
-    for (int a = 0; a < n.active_count(); ++a) {
+    const auto of_soil = [&](const PairBlock& block, int i, const VelocityGradient& plain) {
+        VelocityGradient g = plain;
+        if (n.nearest_boundary[i] >= 0) {
+            const BedLine::Nearest near =
+                bed.nearest({soil.x[i], soil.y[i]}, wall.segment[n.nearest_boundary[i]], 8);
+            g = gradient_without_slip(block, n, soil, i, plain, near, discretisation_.spacing);
+        }
+        g = g.corrected(n, i);
+        strain_rate_[i] = std::hypot(g.exx(), g.exy());
+    };
+    const auto of_boundary = [&](int a) {
         double sum = 0.0;
         double weight = 0.0;
         for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) {
             sum += n.boundary_pairs[k].stiffness * strain_rate_[n.boundary_pairs[k].soil];
             weight += n.boundary_pairs[k].stiffness;
         }
-        if (weight > 0.0) strain_rate_[n.first_boundary + a] = sum / weight;
-    }
+        strain_rate_[n.first_boundary + a] = weight > 0.0 ? sum / weight : 0.0;
+    };
+    for_each_pass(n.chunks, 2, gates_, [&](int pass, int chunk) {
+        if (pass == 1) return for_each_boundary(n, chunk, of_boundary);
+        for_each_velocity_gradient(n, chunk, velocity_.data(), of_soil);
+    });
 }
 
-void Friction::save(const Neighbours& n, Soil& soil, Wall& wall) const {
-    for_each_piece(soil.count, threads_, [&](int first, int last) {
-        for (int i = first; i < last; ++i) {
-            soil.sxx[i] = stress_[i].x;
-            soil.sxy[i] = stress_[i].y;
-        }
+void Friction::find_strength(const Neighbours& n, int chunk, const std::vector<double>* pore_pressure) {
+    const auto find = [&](int node, int boundary) {
+        const double pore = pore_pressure != nullptr ? (*pore_pressure)[node] : 0.0;
+        const double rate = yield_.depends_on_rate() ? strain_rate_[node] : 0.0;
+        strength_[node] = static_cast<float>(yield_.at(boundary, pressure_[node], pore, rate));
+    };
+    for_each_soil(n, chunk, [&](int i) { find(i, n.nearest_boundary[i]); });
+    for_each_boundary(n, chunk, [&](int a) { find(n.first_boundary + a, n.active[a]); });
+}
+
+void Friction::save(const Neighbours& n, int chunk, Soil& soil, Wall& wall) const {
+    for_each_soil(n, chunk, [&](int i) {
+        soil.sxx[i] = stress_[i].x;
+        soil.sxy[i] = stress_[i].y;
     });
-    for (int a = 0; a < n.active_count(); ++a) {
+    for_each_boundary(n, chunk, [&](int a) {
         wall.sxx[n.active[a]] = stress_[n.first_boundary + a].x;
         wall.sxy[n.active[a]] = stress_[n.first_boundary + a].y;
-    }
+    });
 }
 
 /// Base velocity = v^n + dt (g - grad p / rho): the last known pressure included. The stress turns with the
@@ -151,18 +160,19 @@ void Friction::project_boundary(const Neighbours& n, int a, double step, float m
 }
 
 /// Eq. 8 from the velocity at hand.
-void Friction::yield_from_strain_rate(const Neighbours& n) {
+void Friction::yield_from_strain_rate(const Neighbours& n, int chunk) {
     const auto update = [&](int i, const VelocityGradient& plain) {
         const VelocityGradient g = plain.corrected(n, i);
         const double rate = std::hypot(g.exx(), g.exy());
         const double scale = rate > 0.0 ? strength_[i] / rate : 0.0;
         stress_[i] = {static_cast<float>(scale * g.exx()), static_cast<float>(scale * g.exy())};
     };
-    for_each_block(static_cast<int>(n.blocks.size()), threads_,
-                   [&](int b) { for_each_velocity_gradient(n.blocks[b], n, velocity_.data(), update); });
-    for (int a = 0; a < n.active_count(); ++a) {
+    for_each_velocity_gradient(
+        n, chunk, velocity_.data(),
+        [&](const PairBlock&, int i, const VelocityGradient& plain) { update(i, plain); });
+    for_each_boundary(n, chunk, [&](int a) {
         update(n.first_boundary + a, boundary_velocity_gradient(n, a, velocity_.data()));
-    }
+    });
 }
 
 /// v* = v^n + dt (g - div s / rho), eq. 3.
@@ -189,54 +199,58 @@ void Friction::set_momenta(int iterations) {
     }
 }
 
-/// Passes: the start, then for each iteration a trial velocity and a projection, then the final velocity.
-void Friction::iterate(const Neighbours& n, const Soil& soil, const FrictionStep& step,
+void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const FrictionStep& step,
                        std::vector<double>& vx, std::vector<double>& vy) {
+    load(n, soil, wall);
+    if (yield_.depends_on_rate()) find_strain_rate(n, soil, wall, *step.bed);
+    for (auto* field : {&vx, &vy}) set_beyond_awake(n, *field, 0.0);
+    const auto finish = [&](int chunk) {
+        for_each_awake(n, chunk, [&](const PairRows& rows, int last) {
+            final_velocity(rows, last, soil, step, vx, vy);
+        });
+        save(n, chunk, soil, wall);
+    };
+    if (scheme_ == FrictionScheme::explicit_) {
+        for_each_pass(n.chunks, 2, gates_, [&](int pass, int chunk) {
+            if (pass == 1) return finish(chunk);
+            find_strength(n, chunk, step.pore_pressure);
+            yield_from_strain_rate(n, chunk);
+        });
+    } else {
+        iterate(n, soil, step, finish);
+    }
+}
+
+/// Passes: the start, then for each iteration a trial velocity and a projection, then the end.
+template <class Finish>
+void Friction::iterate(const Neighbours& n, const Soil& soil, const FrictionStep& step,
+                       const Finish& finish) {
     const int iterations = step.iterations > 0 ? step.iterations : iterations_;
     set_momenta(iterations);
     const int final_pass = 2 * iterations + 1;
     const double stress_step = 0.5 * discretisation_.density * discretisation_.volume() / step.dt;
-    const auto projects = [&](int pass) { return pass > 0 && pass % 2 == 0; };
-    const auto momentum = [&](int pass) { return momenta_[pass / 2 - 1]; };
-    for_each_pass(
-        n, final_pass + 1, threads_,
-        [&](int pass, const PairRows& rows, int last) {
-            if (pass == 0) {
-                start_rows(rows, last, n, soil, step);
-            } else if (pass == final_pass) {
-                final_velocity(rows, last, soil, step, vx, vy);
-            } else if (projects(pass)) {
-                project(rows, n, stress_step, momentum(pass));
-            } else {
-                trial_velocity(rows, last, step.dt);
-            }
-        },
-        [&](int pass, int a) {
-            if (projects(pass)) project_boundary(n, a, stress_step, static_cast<float>(momentum(pass)));
+    const auto start = [&](int chunk) {
+        find_strength(n, chunk, step.pore_pressure);
+        for_each_awake(n, chunk,
+                       [&](const PairRows& rows, int last) { start_rows(rows, last, n, soil, step); });
+    };
+    const auto try_velocity = [&](int chunk) {
+        for_each_awake(n, chunk,
+                       [&](const PairRows& rows, int last) { trial_velocity(rows, last, step.dt); });
+    };
+    const auto project_stress = [&](int chunk, double momentum) {
+        for_each_awake(n, chunk,
+                       [&](const PairRows& rows, int) { project(rows, n, stress_step, momentum); });
+        for_each_boundary(n, chunk, [&](int a) {
+            project_boundary(n, a, stress_step, static_cast<float>(momentum));
         });
-}
-
-void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const FrictionStep& step,
-                       std::vector<double>& vx, std::vector<double>& vy) {
-    static const std::vector<double> dry;
-    load(n, soil, wall);
-    if (yield_.depends_on_rate()) find_strain_rate(n, soil, wall, *step.bed);
-    yield_.find(n, pressure_, step.pore_pressure != nullptr ? *step.pore_pressure : dry, strain_rate_,
-                threads_, strength_);
-    for (auto* field : {&vx, &vy}) set_beyond_awake(n, *field, 0.0);
-    if (scheme_ == FrictionScheme::explicit_) {
-        yield_from_strain_rate(n);
-        for_each_awake(n, threads_, [&](const PairRows& rows, int last) {
-            final_velocity(rows, last, soil, step, vx, vy);
-        });
-    } else {
-        // For soil that sleeps and for the wall; the first pass turns the stress of the other soil.
-        for_each_piece(n.nodes, threads_, [&](int first, int last) {
-            std::copy(&stress_[first], &stress_[first] + (last - first), &ahead_[first]);
-        });
-        iterate(n, soil, step, vx, vy);
-    }
-    save(n, soil, wall);
+    };
+    for_each_pass(n.chunks, final_pass + 1, gates_, [&](int pass, int chunk) {
+        if (pass == 0) return start(chunk);
+        if (pass == final_pass) return finish(chunk);
+        if (pass % 2 == 1) return try_velocity(chunk);
+        project_stress(chunk, momenta_[pass / 2 - 1]);
+    });
 }
 
 }  // namespace runout

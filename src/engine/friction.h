@@ -5,6 +5,7 @@
 
 #include "engine/bed_line.h"
 #include "engine/neighbours.h"
+#include "engine/row_passes.h"
 #include "engine/soil.h"
 #include "engine/wall.h"
 #include "engine/yield_strength.h"
@@ -35,8 +36,7 @@ struct FrictionStep {
 class Friction {
   public:
     /// `iterations`: of a step that does not say how many.
-    Friction(const Discretisation& discretisation, YieldStrength yield, FrictionScheme scheme, int iterations,
-             int threads);
+    Friction(const Discretisation& discretisation, YieldStrength yield, FrictionScheme scheme, int iterations);
 
     /// Predictor, eq. 3. On return soil and wall hold the new stress, and `vx`, `vy` (per node) the
     /// velocity v* under gravity and friction, without pressure. The pressure is the one the last solve left.
@@ -50,17 +50,18 @@ class Friction {
   private:
     void load(const Neighbours& n, const Soil& soil, const Wall& wall);
     void find_strain_rate(const Neighbours& n, const Soil& soil, const Wall& wall, const BedLine& bed);
-    void save(const Neighbours& n, Soil& soil, Wall& wall) const;
+    void find_strength(const Neighbours& n, int chunk, const std::vector<double>* pore_pressure);
+    void save(const Neighbours& n, int chunk, Soil& soil, Wall& wall) const;
     void set_momenta(int iterations);
-    void iterate(const Neighbours& n, const Soil& soil, const FrictionStep& step, std::vector<double>& vx,
-                 std::vector<double>& vy);
+    template <class Finish>
+    void iterate(const Neighbours& n, const Soil& soil, const FrictionStep& step, const Finish& finish);
     void start_rows(const PairRows& rows, int last, const Neighbours& n, const Soil& soil,
                     const FrictionStep& step);
     void trial_velocity(const PairRows& rows, int last, double dt);
     [[nodiscard]] const std::array<std::vector<float>, 4>& correction(const Neighbours& n) const;
     void project(const PairRows& rows, const Neighbours& n, double step, double momentum);
     void project_boundary(const Neighbours& n, int a, double step, float momentum);
-    void yield_from_strain_rate(const Neighbours& n);
+    void yield_from_strain_rate(const Neighbours& n, int chunk);
     void final_velocity(const PairRows& rows, int last, const Soil& soil, const FrictionStep& step,
                         std::vector<double>& vx, std::vector<double>& vy);
 
@@ -68,7 +69,7 @@ class Friction {
     YieldStrength yield_;
     FrictionScheme scheme_;
     int iterations_;
-    int threads_;
+    PassGates gates_;
     std::vector<double> momenta_;  ///< of each iteration
 
     // Node arrays, see Neighbours. What is iterated on is in single precision, see PairKernels.

@@ -155,7 +155,7 @@ void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
     for_each_block(blocks, threads_, [&](int b) { find_block(soil, wall, n, b); });
     number_boundary(soil, wall, n);
     fill_boundary_rows(wall, soil, n);
-    cutter_.cut(n);
+    cutter_.cut(wall, threads_, n);
 }
 
 void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours& n, int b) const {
@@ -236,28 +236,28 @@ void NeighbourSearch::write_sums(Neighbours& n, int i, const SliceSums& soil, in
 
 void NeighbourSearch::number_boundary(const Soil& soil, const Wall& wall, Neighbours& n) {
     // Nothing here may take time in proportion to the length of the section.
-    if (node_of_boundary_.size() != static_cast<std::size_t>(wall.boundary_count)) {
-        node_of_boundary_.assign(static_cast<std::size_t>(wall.boundary_count), -1);
+    if (n.node_of_boundary.size() != static_cast<std::size_t>(wall.boundary_count)) {
+        n.node_of_boundary.assign(static_cast<std::size_t>(wall.boundary_count), -1);
         n.active.clear();
     }
-    for (const int b : n.active) node_of_boundary_[b] = -1;
+    for (const int b : n.active) n.node_of_boundary[b] = -1;
     n.left.swap(n.active);
     n.active.clear();
     for (const PairBlock& block : n.blocks) {
         for (const WallPair& pair : block.wall_pairs) {
-            if (node_of_boundary_[pair.boundary] >= 0) continue;
-            node_of_boundary_[pair.boundary] = 0;
+            if (n.node_of_boundary[pair.boundary] >= 0) continue;
+            n.node_of_boundary[pair.boundary] = 0;
             n.active.push_back(pair.boundary);
         }
     }
     std::sort(n.active.begin(), n.active.end());
-    for (int a = 0; a < n.active_count(); ++a) node_of_boundary_[n.active[a]] = n.first_boundary + a;
-    std::erase_if(n.left, [&](int b) { return node_of_boundary_[b] >= 0; });
+    for (int a = 0; a < n.active_count(); ++a) n.node_of_boundary[n.active[a]] = n.first_boundary + a;
+    std::erase_if(n.left, [&](int b) { return n.node_of_boundary[b] >= 0; });
     n.nodes = soil.padded() + n.active_count();
     for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
         PairBlock& block = n.blocks[b];
         for (const WallPair& pair : block.wall_pairs)
-            block.column[pair.slot] = node_of_boundary_[pair.boundary];
+            block.column[pair.slot] = n.node_of_boundary[pair.boundary];
     });
 }
 
@@ -279,7 +279,7 @@ void NeighbourSearch::fill_boundary_rows(const Wall& wall, const Soil& soil, Nei
     }
     for (const PairBlock& block : n.blocks) {
         for (const WallPair& pair : block.wall_pairs) {
-            ++n.boundary_start[node_of_boundary_[pair.boundary] - n.first_boundary + 1];
+            ++n.boundary_start[n.node_of_boundary[pair.boundary] - n.first_boundary + 1];
         }
     }
     for (int a = 0; a < count; ++a) n.boundary_start[a + 1] += n.boundary_start[a];
@@ -289,7 +289,7 @@ void NeighbourSearch::fill_boundary_rows(const Wall& wall, const Soil& soil, Nei
     cursor_.assign(n.boundary_start.begin(), n.boundary_start.end());
     for (const PairBlock& block : n.blocks) {
         for (const WallPair& pair : block.wall_pairs) {
-            const int a = node_of_boundary_[pair.boundary] - n.first_boundary;
+            const int a = n.node_of_boundary[pair.boundary] - n.first_boundary;
             n.boundary_pairs[cursor_[a]++] = {pair.row,       -pair.gx,     -pair.gy,
                                               pair.stiffness, -pair.own_gx, -pair.own_gy};
             if (!pair.own) continue;

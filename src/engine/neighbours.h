@@ -61,6 +61,7 @@ struct Neighbours {
 
     std::vector<int> active;          ///< wall index of each active boundary particle, ascending
     std::vector<int> left;            ///< boundary particles that were active last time and are no longer
+    std::vector<int> node_of_boundary;  ///< per boundary particle of the wall; -1: not active
     std::vector<int> boundary_start;  ///< compressed rows over `active`
     std::vector<BoundaryPair> boundary_pairs;
     std::vector<int> boundary_soil;  ///< soil particles within the boundary particle's own support
@@ -79,7 +80,7 @@ struct Neighbours {
     /// Per slice of soil rows, given: 1 where all sleep and nothing is to be solved; empty: nothing sleeps.
     std::vector<char> resting;
 
-    RowChunks chunks;  ///< of `blocks`
+    RowChunks chunks;  ///< of `blocks`, shared out among the threads of the search
 
     [[nodiscard]] bool rests(int i) const {
         return !resting.empty() && resting[static_cast<std::size_t>(i / lanes)] != 0;
@@ -119,7 +120,6 @@ class NeighbourSearch {
     std::vector<double> scratch_;
     std::vector<int> name_scratch_;
     std::vector<double> moment_;
-    std::vector<int> node_of_boundary_;
     std::vector<int> cursor_;
     RowCutter cutter_;
 };

@@ -5,7 +5,6 @@
 #include "engine/neighbours.h"
 #include "engine/node_array.h"
 #include "engine/pair_kernels.h"
-#include "engine/parallel.h"
 #include "engine/soil.h"
 
 namespace runout {
@@ -55,13 +54,6 @@ void for_each_awake_run(const PairBlock& block, const Neighbours& n, const Funct
         }
         first = end + 1;
     }
-}
-
-/// As for_each_awake_run, for all blocks, on `threads` threads.
-template <class Function>
-void for_each_awake(const Neighbours& n, int threads, const Function& f) {
-    for_each_block(static_cast<int>(n.blocks.size()), threads,
-                   [&](int b) { for_each_awake_run(n.blocks[b], n, f); });
 }
 
 /// Gives a node array one value in all places but the rows of soil that is awake, which are all written

@@ -27,15 +27,21 @@ void for_each_piece(int size, int threads, const Function& f) {
                    [&](int p) { f(p * piece, std::min(size, (p + 1) * piece)); });
 }
 
+/// The terms added in order.
+template <class Term>
+Term sum_of(const std::vector<Term>& terms) {
+    Term sum{};
+    for (const Term& term : terms) sum += term;
+    return sum;
+}
+
 /// Sum of f(i) over i, each term computed on any thread and added in order: the same to the last bit for any
 /// number of threads. `partial` is scratch that keeps its memory from call to call.
 template <class Term, class Function>
 Term sum_blocks(int count, int threads, std::vector<Term>& partial, const Function& f) {
     partial.resize(static_cast<std::size_t>(count));
     for_each_block(count, threads, [&](int i) { partial[static_cast<std::size_t>(i)] = f(i); });
-    Term sum{};
-    for (const Term& term : partial) sum += term;
-    return sum;
+    return sum_of(partial);
 }
 
 /// Sum of f(first, last) over consecutive pieces of [0, size), see sum_blocks.

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/node_array.h"
 #include "engine/operators.h"
-#include "engine/parallel.h"
-#include "engine/row_passes.h"
 
 namespace runout {
 namespace {
@@ -19,95 +18,141 @@ constexpr int steps_per_coarse_build = 15;
 }  // namespace
 
 PressureSolver::PressureSolver(const Discretisation& discretisation, double gravity, double length,
-                               double tolerance, int threads)
+                               double tolerance)
     : discretisation_(discretisation),
       gravity_(gravity),
       relaxation_time_(discretisation.spacing / std::sqrt(gravity * length)),
       tolerance_(tolerance),
       negligible_(1e-12 * discretisation.lattice_stiffness * discretisation.density * gravity *
-                  discretisation.spacing),
-      threads_(threads) {}
+                  discretisation.spacing) {}
 
 void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& wall) {
     set_rest(pressure_, soil.count, n.nodes, 0.0);
     set_rest(diagonal_, soil.count, n.nodes, 1.0);
     set_rest(free_, soil.count, n.nodes, char{0});
     const bool all_awake = n.resting.empty();
-    for_each_piece(soil.count, threads_, [&](int first, int last) {
-        for (int i = first; i < last; ++i) {
+    for_each_chunk(n.chunks, [&](int chunk) {
+        for_each_soil(n, chunk, [&](int i) {
             pressure_[i] = soil.pressure[i];
             free_[i] = all_awake || !n.rests(i) ? 1 : 0;
             diagonal_[i] = free_[i] ? n.stiffness_sum[i] : 1.0;
             if (free_[i] && n.density[i] < surface_density) {
                 diagonal_[i] += std::max(0.0, discretisation_.lattice_stiffness - n.stiffness_sum[i]);
             }
-        }
+        });
+        for_each_boundary(n, chunk, [&](int a) { set_up_boundary(n, wall, a); });
     });
-    for (int a = 0; a < n.active_count(); ++a) {
-        const int node = n.first_boundary + a;
-        const int b = n.active[a];
-        const bool at_surface = n.density[node] < surface_density;
-        if (n.boundary_soil[a] == 0) {
-            pressure_[node] = 0.0;
-        } else if (at_surface && n.boundary_soil[a] < 3) {
-            pressure_[node] = 0.25 * discretisation_.density * gravity_ * discretisation_.spacing;
-        } else {
-            pressure_[node] = wall.pressure[b];
-            free_[node] = 1;
-        }
-        double sum = 0.0;
-        for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k)
-            sum += n.boundary_pairs[k].stiffness;
-        for (int k = wall.neighbour_start[b]; k < wall.neighbour_start[b + 1]; ++k)
-            sum += wall.neighbour_stiffness[k];
-        diagonal_[node] = sum;
-    }
-    boundary_node_.resize(static_cast<std::size_t>(wall.boundary_count), -1);
-    for (const int b : numbered_) boundary_node_[b] = -1;
-    for (int a = 0; a < n.active_count(); ++a) boundary_node_[n.active[a]] = n.first_boundary + a;
-    make_room(numbered_, n.active.size());
-    numbered_.assign(n.active.begin(), n.active.end());
 }
 
-/// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n. On return product = A p^n. Two passes:
-/// product and trial velocity, then its divergence.
-void PressureSolver::set_right_hand_side(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
-                                         const std::vector<double>& vy, const PressureStep& step) {
-    for (auto* field : {&kept_, &gradient_x_, &gradient_y_}) fit(*field, n.nodes);
+void PressureSolver::set_up_boundary(const Neighbours& n, const Wall& wall, int a) {
+    const int node = n.first_boundary + a;
+    const int b = n.active[a];
+    const bool at_surface = n.density[node] < surface_density;
+    if (n.boundary_soil[a] == 0) {
+        pressure_[node] = 0.0;
+    } else if (at_surface && n.boundary_soil[a] < 3) {
+        pressure_[node] = 0.25 * discretisation_.density * gravity_ * discretisation_.spacing;
+    } else {
+        pressure_[node] = wall.pressure[b];
+        free_[node] = 1;
+    }
+    double sum = 0.0;
+    for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) sum += n.boundary_pairs[k].stiffness;
+    for (int k = wall.neighbour_start[b]; k < wall.neighbour_start[b + 1]; ++k)
+        sum += wall.neighbour_stiffness[k];
+    diagonal_[node] = sum;
+}
+
+/// Anew where the one at hand is worn.
+void PressureSolver::set_up_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall) {
+    set_rest(aggregate_, soil.count, n.nodes, -1);
+    make_room(cell_sums_, n.chunks.count());
+    cell_sums_.resize(n.chunks.count());
+    const bool worn = steps_since_build_ >= steps_per_coarse_build ||
+                      last_iterations_ > iterations_after_build_ + iterations_after_build_ / 2 + 3;
+    const bool anew = wall_aggregate_.empty() || worn;
+    if (anew) {
+        coarse_.build(n, soil, wall, diagonal_, free_, coarse_cell_spacings * discretisation_.spacing,
+                      aggregate_);
+        std::copy_n(aggregate_.begin(), soil.count, soil.aggregate.begin());
+        wall_aggregate_.assign(wall.boundary_count, -1);
+        for (int a = 0; a < n.active_count(); ++a)
+            wall_aggregate_[n.active[a]] = aggregate_[n.first_boundary + a];
+    }
+    steps_since_build_ = anew ? 0 : steps_since_build_ + 1;
+    for_each_chunk(n.chunks, [&](int chunk) {
+        if (!anew) {
+            for_each_soil(n, chunk, [&](int i) { aggregate_[i] = free_[i] ? soil.aggregate[i] : -1; });
+            for_each_boundary(n, chunk, [&](int a) {
+                const int node = n.first_boundary + a;
+                aggregate_[node] = free_[node] ? wall_aggregate_[n.active[a]] : -1;
+            });
+        }
+        find_cells(n, chunk);
+    });
+}
+
+/// Which cells the nodes of a chunk are in.
+void PressureSolver::find_cells(const Neighbours& n, int chunk) {
+    int low = std::numeric_limits<int>::max();
+    int high = -1;
+    for_each_node(n, chunk, [&](int i) {
+        if (aggregate_[i] < 0) return;
+        low = std::min(low, aggregate_[i]);
+        high = std::max(high, aggregate_[i]);
+    });
+    CellSums& sums = cell_sums_[chunk];
+    sums.low = high < 0 ? 0 : low;
+    fit(sums.sum, high < 0 ? 0 : high - low + 1);
+}
+
+/// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n, and the residual of p = p^n. Two passes:
+/// A p^n and trial velocity, then its divergence.
+ResidualNorms PressureSolver::begin(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
+                                    const std::vector<double>& vy, const PressureStep& step) {
+    for (auto* field : {&gradient_x_, &gradient_y_}) fit(*field, n.nodes);
+    for (auto* field : {&residual_, &direction_}) set_rest(*field, n.soil_count, n.nodes, 0.0);
     set_beyond_awake(n, trial_velocity_, FloatPair{});
     for (auto* field : {&right_hand_side_, &product_}) set_beyond_awake(n, *field, 0.0);
-    for_each_piece(n.nodes, threads_, [&](int first, int last) {
-        for (int i = first; i < last; ++i) kept_[i] = step.memory * pressure_[i];
-    });
     const double dt = step.dt;
-    const double scale = dt / discretisation_.density;
+    const double scale = step.memory * dt / discretisation_.density;
     const double rate = step.correct_density ? 1.0 / std::max(relaxation_time_, 10.0 * dt) : 0.0;
     const auto combine = [&](int node, double divergence) {
         const double wanted = rate * std::max(0.0, n.density[node] - 1.0);
         return (wanted - divergence) / dt + step.memory * product_[node];
     };
-    const auto rows = [&](int pass, const PairRows& run, int last) {
-        if (pass == 0) {
-            pair_kernels().pressure_product(run, diagonal_.data(), pressure_.data(), product_.data());
-            pair_kernels().pressure_gradient(run, kept_.data(), gradient_x_.data(), gradient_y_.data());
-            for (int i = run.first_row; i < last; ++i) {
-                trial_velocity_[i] = {static_cast<float>(vx[i] - scale * gradient_x_[i]),
-                                      static_cast<float>(vy[i] - scale * gradient_y_[i])};
-            }
-        } else {
-            pair_kernels().velocity_divergence(run, trial_velocity_.data(), right_hand_side_.data());
-            for (int i = run.first_row; i < last; ++i) right_hand_side_[i] = combine(i, right_hand_side_[i]);
+    const auto try_velocity = [&](const PairRows& rows, int last) {
+        pair_kernels().pressure_gradient(rows, pressure_.data(), gradient_x_.data(), gradient_y_.data());
+        for (int i = rows.first_row; i < last; ++i) {
+            trial_velocity_[i] = {static_cast<float>(vx[i] - scale * gradient_x_[i]),
+                                  static_cast<float>(vy[i] - scale * gradient_y_[i])};
         }
     };
-    const auto boundary = [&](int pass, int a) {
-        const int node = n.first_boundary + a;
-        if (pass == 0) {
-            multiply_boundary_row(n, wall, a, pressure_, product_);
-        } else if (free_[node] && n.density[node] >= surface_density) {
-            right_hand_side_[node] = combine(node, boundary_divergence(n, a));
-        }
+    const auto find_divergence = [&](const PairRows& rows, int last) {
+        pair_kernels().velocity_divergence(rows, trial_velocity_.data(), right_hand_side_.data());
+        for (int i = rows.first_row; i < last; ++i) right_hand_side_[i] = combine(i, right_hand_side_[i]);
     };
-    for_each_pass(n, 2, threads_, rows, boundary);
+    fit(partial_norms_, n.chunks.count());
+    for_each_pass(n.chunks, 2, gates_, [&](int pass, int chunk) {
+        if (pass == 0) {
+            multiply(n, wall, chunk, pressure_, product_);
+            return for_each_awake(n, chunk, try_velocity);
+        }
+        for_each_awake(n, chunk, find_divergence);
+        for_each_boundary(n, chunk, [&](int a) {
+            const int node = n.first_boundary + a;
+            if (free_[node] && n.density[node] >= surface_density)
+                right_hand_side_[node] = combine(node, boundary_divergence(n, a));
+        });
+        double whole = 0.0;
+        partial_norms_[chunk] = renew_residual(n, chunk, [&](int i) {
+            whole += right_hand_side_[i] * right_hand_side_[i];
+            direction_[i] = 0.0;
+            return free_[i] ? right_hand_side_[i] - product_[i] : 0.0;
+        });
+        partial_norms_[chunk].whole = whole;
+    });
+    return sum_of(partial_norms_);
 }
 
 /// Divergence of the trial velocity at active boundary particle `a`.
@@ -121,45 +166,16 @@ double PressureSolver::boundary_divergence(const Neighbours& n, int a) const {
     return divergence;
 }
 
-void PressureSolver::refresh_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall) {
-    set_rest(aggregate_, soil.count, n.nodes, -1);
-    const bool worn = steps_since_build_ >= steps_per_coarse_build ||
-                      last_iterations_ > iterations_after_build_ + iterations_after_build_ / 2 + 3;
-    if (wall_aggregate_.empty() || worn) {
-        coarse_.build(n, soil, wall, diagonal_, free_, coarse_cell_spacings * discretisation_.spacing,
-                      aggregate_);
-        std::copy_n(aggregate_.begin(), soil.count, soil.aggregate.begin());
-        wall_aggregate_.assign(wall.boundary_count, -1);
-        for (int a = 0; a < n.active_count(); ++a)
-            wall_aggregate_[n.active[a]] = aggregate_[n.first_boundary + a];
-        steps_since_build_ = 0;
-        return;
-    }
-    for_each_piece(soil.count, threads_, [&](int first, int last) {
-        for (int i = first; i < last; ++i) aggregate_[i] = free_[i] ? soil.aggregate[i] : -1;
+/// out = A x in the rows of a chunk. Returns their share of x . A x.
+double PressureSolver::multiply(const Neighbours& n, const Wall& wall, int chunk,
+                                const std::vector<double>& x, std::vector<double>& out) const {
+    double sum = 0.0;
+    for_each_awake(n, chunk, [&](const PairRows& rows, int last) {
+        pair_kernels().pressure_product(rows, diagonal_.data(), x.data(), out.data());
+        for (int i = rows.first_row; i < last; ++i) sum += x[i] * out[i];
     });
-    for (int a = 0; a < n.active_count(); ++a) {
-        const int node = n.first_boundary + a;
-        aggregate_[node] = free_[node] ? wall_aggregate_[n.active[a]] : -1;
-    }
-    ++steps_since_build_;
-}
-
-/// out = A x. Returns x . A x.
-double PressureSolver::multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x,
-                                std::vector<double>& out) {
-    const std::vector<RowTask>& tasks = n.chunks.tasks;
-    return sum_blocks(static_cast<int>(tasks.size()), threads_, partial_, [&](int t) {
-        double sum = 0.0;
-        do_task(
-            n, tasks[t],
-            [&](const PairRows& rows, int last) {
-                pair_kernels().pressure_product(rows, diagonal_.data(), x.data(), out.data());
-                for (int i = rows.first_row; i < last; ++i) sum += x[i] * out[i];
-            },
-            [&](int a) { sum += multiply_boundary_row(n, wall, a, x, out); });
-        return sum;
-    });
+    for_each_boundary(n, chunk, [&](int a) { sum += multiply_boundary_row(n, wall, a, x, out); });
+    return sum;
 }
 
 double PressureSolver::multiply_boundary_row(const Neighbours& n, const Wall& wall, int a,
@@ -171,63 +187,64 @@ double PressureSolver::multiply_boundary_row(const Neighbours& n, const Wall& wa
         sum -= n.boundary_pairs[k].stiffness * x[n.boundary_pairs[k].soil];
     }
     for (int k = wall.neighbour_start[b]; k < wall.neighbour_start[b + 1]; ++k) {
-        const int other = boundary_node_[wall.neighbour[k]];
+        const int other = n.node_of_boundary[wall.neighbour[k]];
         if (other >= 0) sum -= wall.neighbour_stiffness[k] * x[other];
     }
     out[node] = free_[node] ? sum : 0.0;
     return x[node] * out[node];
 }
 
-/// Gives each node the residual that `renew(i)` returns, and sums it over the coarse cells.
+/// Gives each node of a chunk the residual that `renew(i)` returns, and sums it over the coarse cells.
 template <class Function>
-ResidualNorms PressureSolver::renew_residual(const Function& renew) {
-    return sum_blocks(static_cast<int>(parts_.size()), threads_, partial_norms_, [&](int p) {
-        NodePart& part = parts_[p];
-        part.clear();
-        ResidualNorms norms;
-        for (int i = part.first; i < part.last; ++i) {
-            const double r = renew(i);
-            residual_[i] = r;
-            norms += {r * r, r * r / diagonal_[i]};
-            if (aggregate_[i] >= 0) part.sum[aggregate_[i] - part.low] += r;
-        }
-        return norms;
+ResidualNorms PressureSolver::renew_residual(const Neighbours& n, int chunk, const Function& renew) {
+    CellSums& cells = cell_sums_[chunk];
+    cells.clear();
+    ResidualNorms norms;
+    for_each_node(n, chunk, [&](int i) {
+        const double r = renew(i);
+        residual_[i] = r;
+        norms.squared += r * r;
+        norms.scaled += r * r / diagonal_[i];
+        if (aggregate_[i] >= 0) cells.sum[aggregate_[i] - cells.low] += r;
     });
+    return norms;
 }
 
-/// The next direction: z + beta times the last, z = D^-1 r + coarse correction.
-void PressureSolver::turn(double beta, const double* coarse) {
-    for_each_piece(static_cast<int>(pressure_.size()), threads_, [&](int first, int last) {
-        for (int i = first; i < last; ++i) {
-            const double added = aggregate_[i] >= 0 ? coarse_scale * coarse[aggregate_[i]] : 0.0;
-            direction_[i] = residual_[i] / diagonal_[i] + added + beta * direction_[i];
-        }
+/// The next direction in a chunk: z + beta times the last, z = D^-1 r + coarse correction. Soil that sleeps
+/// keeps its 0.
+void PressureSolver::turn(const Neighbours& n, int chunk, double beta, const double* coarse) {
+    const auto turn_node = [&](int i) {
+        const double added = aggregate_[i] >= 0 ? coarse_scale * coarse[aggregate_[i]] : 0.0;
+        direction_[i] = residual_[i] / diagonal_[i] + added + beta * direction_[i];
+    };
+    for_each_awake(n, chunk, [&](const PairRows& rows, int last) {
+        for (int i = rows.first_row; i < last; ++i) turn_node(i);
     });
+    for_each_boundary(n, chunk, [&](int a) { turn_node(n.first_boundary + a); });
 }
 
-/// Conjugate gradients from the pressure at hand, whose product with A is at hand as well. r.z needs no pass
-/// of its own: it is the sum of what the two levels give.
-PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
+/// Conjugate gradients from the pressure at hand with residual `left`. r.z needs no pass of its own: it is
+/// the sum of what the two levels give.
+PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall, ResidualNorms left) {
     PressureSolve result;
-    fit(residual_, n.nodes);
-    set_all(direction_, n.nodes, 0.0);
-    const double norm = std::sqrt(sum_pieces(n.nodes, threads_, partial_, [&](int first, int last) {
-        double sum = 0.0;
-        for (int i = first; i < last; ++i) sum += right_hand_side_[i] * right_hand_side_[i];
-        return sum;
-    }));
+    fit(partial_, n.chunks.count());
+    const double norm = std::sqrt(left.whole);
     const double target = std::max(tolerance_ * norm, negligible_);
-    ResidualNorms left =
-        renew_residual([&](int i) { return free_[i] ? right_hand_side_[i] - product_[i] : 0.0; });
     double rz_old = 1.0;
     while (std::sqrt(left.squared) > target && result.iterations < max_iterations) {
-        const CoarseCorrection coarse = coarse_.solve(parts_);
+        const CoarseCorrection coarse = coarse_.solve(cell_sums_);
         const double rz = left.scaled + coarse_scale * coarse.product;
-        turn(result.iterations == 0 ? 0.0 : rz / rz_old, coarse.value);
-        const double alpha = rz / multiply(n, wall, direction_, product_);
-        left = renew_residual([&](int i) {
-            pressure_[i] += alpha * direction_[i];
-            return residual_[i] - alpha * product_[i];
+        const double beta = result.iterations == 0 ? 0.0 : rz / rz_old;
+        for_each_pass(n.chunks, 2, gates_, [&](int pass, int chunk) {
+            if (pass == 0) return turn(n, chunk, beta, coarse.value);
+            partial_[chunk] = multiply(n, wall, chunk, direction_, product_);
+        });
+        const double alpha = rz / sum_of(partial_);
+        left = sum_chunks(n.chunks, partial_norms_, [&](int chunk) {
+            return renew_residual(n, chunk, [&](int i) {
+                pressure_[i] += alpha * direction_[i];
+                return residual_[i] - alpha * product_[i];
+            });
         });
         rz_old = rz;
         ++result.iterations;
@@ -237,35 +254,26 @@ PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall) {
     return result;
 }
 
-/// Negative pressure is cut off, at zero unless the soil is cohesive; at a free surface always, where it
-/// would draw grains together that do not touch.
-void PressureSolver::cut_off_tension(const Neighbours& n) {
-    const bool bears_tension = tension_ > 0.0;
-    for_each_piece(n.nodes, threads_, [&](int first, int last) {
-        for (int i = first; i < last; ++i) {
-            const double least = bears_tension && n.density[i] >= body_density ? -tension_ : 0.0;
-            pressure_[i] = std::max(pressure_[i], least);
-        }
-    });
-}
-
-/// Sets what soil and wall carry into the next step. Returns the highest pressure of the soil in this one.
+/// Cuts off negative pressure, at zero unless the soil is cohesive; at a free surface always, where it would
+/// draw grains together that do not touch. Sets what soil and wall carry into the next step. Returns the
+/// highest pressure of the soil in this one.
 double PressureSolver::hand_over(const Neighbours& n, double renewal, Soil& soil, Wall& wall) {
-    const auto renewed = [&](double carried, int node) {
-        return free_[node] ? carried + renewal * (pressure_[node] - carried) : pressure_[node];
+    const auto settle = [&](double& carried, int node) {
+        const double least = tension_ > 0.0 && n.density[node] >= body_density ? -tension_ : 0.0;
+        pressure_[node] = std::max(pressure_[node], least);
+        carried = free_[node] ? carried + renewal * (pressure_[node] - carried) : pressure_[node];
     };
-    for (int a = 0; a < n.active_count(); ++a) {
-        double& carried = wall.pressure[n.active[a]];
-        carried = renewed(carried, n.first_boundary + a);
-    }
-    return max_pieces(soil.count, threads_, partial_, [&](int first, int last) {
+    sum_chunks(n.chunks, partial_, [&](int chunk) {
         double highest = 0.0;
-        for (int i = first; i < last; ++i) {
-            soil.pressure[i] = renewed(soil.pressure[i], i);
+        for_each_soil(n, chunk, [&](int i) {
+            settle(soil.pressure[i], i);
             highest = std::max(highest, pressure_[i]);
-        }
+        });
+        for_each_boundary(n, chunk,
+                          [&](int a) { settle(wall.pressure[n.active[a]], n.first_boundary + a); });
         return highest;
     });
+    return *std::max_element(partial_.begin(), partial_.end());
 }
 
 PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
@@ -277,13 +285,10 @@ PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
         filter_->apply(n, soil, pressure_);
         start.memory = 1.0;
     }
-    set_right_hand_side(n, wall, vx, vy, start);
-    refresh_coarse_level(n, soil, wall);
-    cut_into_parts(aggregate_, threads_, parts_);
-    PressureSolve result = iterate(n, wall);
+    set_up_coarse_level(n, soil, wall);
+    PressureSolve result = iterate(n, wall, begin(n, wall, vx, vy, start));
     last_iterations_ = result.iterations;
     if (steps_since_build_ == 0) iterations_after_build_ = result.iterations;
-    cut_off_tension(n);
     result.highest = hand_over(n, step.renewal, soil, wall);
     return result;
 }

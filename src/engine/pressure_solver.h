@@ -6,6 +6,7 @@
 #include "engine/coarse_level.h"
 #include "engine/neighbours.h"
 #include "engine/pressure_filter.h"
+#include "engine/row_passes.h"
 #include "engine/soil.h"
 #include "engine/wall.h"
 
@@ -32,13 +33,15 @@ struct PressureStep {
     double renewal = 0.5;
 };
 
-/// Of a residual r, over all nodes.
+/// Of a residual r, over some nodes.
 struct ResidualNorms {
     double squared = 0;  ///< r . r
     double scaled = 0;   ///< r . D^-1 r
+    double whole = 0;    ///< b . b of the right-hand side, where that was at hand
     ResidualNorms& operator+=(const ResidualNorms& other) {
         squared += other.squared;
         scaled += other.scaled;
+        whole += other.whole;
         return *this;
     }
 };
@@ -63,8 +66,7 @@ struct PressureSolve {
 class PressureSolver {
   public:
     /// `length`: scale of the mass, m, for the time in which excess density is worked off.
-    PressureSolver(const Discretisation& discretisation, double gravity, double length, double tolerance,
-                   int threads);
+    PressureSolver(const Discretisation& discretisation, double gravity, double length, double tolerance);
 
     /// For cohesive soil, which bears a mean tension, Pa, and whose surface is free of traction without being
     /// free of pressure. The projection starts from the whole old pressure, freed of noise: a share of it
@@ -76,11 +78,7 @@ class PressureSolver {
     }
 
     /// The wall is another one from now on.
-    void forget_wall() {
-        wall_aggregate_.clear();
-        boundary_node_.clear();
-        numbered_.clear();
-    }
+    void forget_wall() { wall_aggregate_.clear(); }
 
     /// On return soil and wall hold the pressure that the next step starts from.
     PressureSolve solve(const Neighbours& n, Soil& soil, Wall& wall, const std::vector<double>& vx,
@@ -91,20 +89,21 @@ class PressureSolver {
 
   private:
     void set_up(const Neighbours& n, const Soil& soil, const Wall& wall);
-    void set_right_hand_side(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
-                             const std::vector<double>& vy, const PressureStep& step);
+    void set_up_boundary(const Neighbours& n, const Wall& wall, int a);
+    void set_up_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall);
+    void find_cells(const Neighbours& n, int chunk);
+    ResidualNorms begin(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
+                        const std::vector<double>& vy, const PressureStep& step);
     [[nodiscard]] double boundary_divergence(const Neighbours& n, int a) const;
-    void refresh_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall);
-    double multiply(const Neighbours& n, const Wall& wall, const std::vector<double>& x,
-                    std::vector<double>& out);
+    double multiply(const Neighbours& n, const Wall& wall, int chunk, const std::vector<double>& x,
+                    std::vector<double>& out) const;
     double multiply_boundary_row(const Neighbours& n, const Wall& wall, int a, const std::vector<double>& x,
                                  std::vector<double>& out) const;
-    void cut_off_tension(const Neighbours& n);
-    double hand_over(const Neighbours& n, double renewal, Soil& soil, Wall& wall);
-    void turn(double beta, const double* coarse);
+    void turn(const Neighbours& n, int chunk, double beta, const double* coarse);
     template <class Function>
-    ResidualNorms renew_residual(const Function& renew);
-    PressureSolve iterate(const Neighbours& n, const Wall& wall);
+    ResidualNorms renew_residual(const Neighbours& n, int chunk, const Function& renew);
+    PressureSolve iterate(const Neighbours& n, const Wall& wall, ResidualNorms left);
+    double hand_over(const Neighbours& n, double renewal, Soil& soil, Wall& wall);
 
     Discretisation discretisation_;
     double gravity_;
@@ -113,23 +112,23 @@ class PressureSolver {
     double negligible_;  ///< residual of a pressure that decays where nothing presses, before it underflows
     double tension_ = 0;
     std::optional<PressureFilter> filter_;  ///< of cohesive soil
-    int threads_;
+    PassGates gates_;
 
     CoarseLevel coarse_;
     std::vector<int> wall_aggregate_;
-    std::vector<NodePart> parts_;  ///< with the sums of the residual
+    std::vector<CellSums> cell_sums_;  ///< of the residual, per chunk
     int steps_since_build_ = 0;
     int iterations_after_build_ = 0;
     int last_iterations_ = 0;
 
     // Node arrays.
-    std::vector<double> kept_, gradient_x_, gradient_y_;  ///< m p^n and its gradient
-    std::vector<FloatPair> trial_velocity_;               ///< v* under m p^n, m/s
+    std::vector<double> gradient_x_, gradient_y_;  ///< of p^n
+    std::vector<FloatPair> trial_velocity_;        ///< v* under m p^n, m/s
     std::vector<double> pressure_, right_hand_side_, diagonal_, residual_, direction_, product_;
     std::vector<char> free_;
     std::vector<int> aggregate_;
-    std::vector<int> boundary_node_;  ///< per boundary particle of the wall; -1: not active
-    std::vector<int> numbered_;       ///< those that have one
+
+    // Per chunk.
     std::vector<double> partial_;
     std::vector<ResidualNorms> partial_norms_;
 };

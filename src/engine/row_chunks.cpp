@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
 
 #include "engine/neighbours.h"
 #include "engine/node_array.h"
@@ -10,107 +9,118 @@
 namespace runout {
 namespace {
 
-/// Fewer blocks than this stay in one chunk: their pairs fit into the cache from pass to pass as they are.
-constexpr int least_blocks_to_cut = 256;
-constexpr int least_blocks_of_chunk = 8;
+constexpr int least_blocks_of_chunk = 4;
+constexpr long pairs_of_boundary_pair = 3;  // in time: they are worked on one by one, in half of the passes
 
 int block_of(int row) {
     return row / rows_per_block;
 }
 
-int first_block(const Neighbours& n, int a) {
-    return block_of(n.boundary_pairs[n.boundary_start[a]].soil);
-}
-int last_block(const Neighbours& n, int a) {
-    return block_of(n.boundary_pairs[n.boundary_start[a + 1] - 1].soil);
-}
-
 }  // namespace
 
-void RowCutter::cut(Neighbours& n) {
-    const int blocks = static_cast<int>(n.blocks.size());
+void RowCutter::cut(const Wall& wall, int threads, Neighbours& n) {
+    place_boundary(n);
+    find_reach(n, wall);
+    find_work(n);
+    int count = most_chunks();
+    cut_blocks(count);
+    while (reaches_too_far()) cut_blocks(count = std::max(2, count - 1 - count / 8));
     RowChunks& chunks = n.chunks;
-    chunks.block_start.assign(1, 0);
-    if (blocks < least_blocks_to_cut) {
-        chunks.block_start.push_back(blocks);
-    } else {
-        find_reach(n);
-        cut_blocks(blocks, chunks);
-    }
-    place_boundary(n, chunks);
-    list_tasks(n, chunks);
+    list_chunks(n, chunks);
+    const int shares = std::max(1, std::min(threads, count));
+    make_room(chunks.share_start, shares + 1);
+    chunks.share_start.clear();
+    for (int t = 0; t <= shares; ++t) chunks.share_start.push_back(t * count / shares);
 }
 
-void RowCutter::find_reach(const Neighbours& n) {
-    const int blocks = static_cast<int>(n.blocks.size());
-    fit(next_, blocks);
-    set_all(after_next_, blocks, 0);
-    for (int b = 0; b < blocks; ++b) next_[b] = block_of(n.blocks[b].highest);
+void RowCutter::place_boundary(const Neighbours& n) {
+    fit(beside_, n.active_count());
     for (int a = 0; a < n.active_count(); ++a) {
-        int& furthest = after_next_[first_block(n, a)];
-        furthest = std::max(furthest, last_block(n, a));
+        const int first = n.boundary_pairs[n.boundary_start[a]].soil;
+        const int last = n.boundary_pairs[n.boundary_start[a + 1] - 1].soil;
+        beside_[a] = block_of(first + (last - first) / 2);
     }
 }
 
-void RowCutter::cut_blocks(int blocks, RowChunks& chunks) {
-    make_room(chunks.block_start, blocks / least_blocks_of_chunk + 2);
-    const auto furthest = [](const std::vector<int>& reach, int first, int last) {
-        return *std::max_element(reach.begin() + first, reach.begin() + last);
+void RowCutter::find_reach(const Neighbours& n, const Wall& wall) {
+    const int blocks = static_cast<int>(n.blocks.size());
+    fit(reach_, blocks);
+    for (int b = 0; b < blocks; ++b) reach_[b] = block_of(n.blocks[b].highest);
+    const auto join = [&](int one, int other) {
+        int& reach = reach_[std::min(one, other)];
+        reach = std::max({reach, one, other});
     };
-    int before = 0;  // the two chunks that end here: [before, first) and [first, end)
-    int first = 0;
-    int end = 0;
-    while (end < blocks) {
-        int wanted = end + least_blocks_of_chunk;
-        if (end > first) wanted = std::max(wanted, furthest(next_, first, end) + 1);
-        if (first > before) wanted = std::max(wanted, furthest(after_next_, before, first) + 1);
-        before = first;
-        first = end;
-        end = std::min(wanted, blocks);
-        chunks.block_start.push_back(end);
-    }
-}
-
-void RowCutter::place_boundary(const Neighbours& n, RowChunks& chunks) {
-    const int count = chunks.count();
-    fit(chunk_of_, n.blocks.size());
-    for (int c = 0; c < count; ++c)
-        std::fill(chunk_of_.begin() + chunks.block_start[c], chunk_of_.begin() + chunks.block_start[c + 1],
-                  c);
-    const auto chunk_of_boundary = [&](int a) {
-        return (chunk_of_[first_block(n, a)] + chunk_of_[last_block(n, a)]) / 2;
-    };
-    set_all(chunks.boundary_start, count + 1, 0);
-    for (int a = 0; a < n.active_count(); ++a) ++chunks.boundary_start[chunk_of_boundary(a) + 1];
-    std::partial_sum(chunks.boundary_start.begin(), chunks.boundary_start.end(),
-                     chunks.boundary_start.begin());
-    fit(chunks.boundary, n.active_count());
-    make_room(cursor_, chunks.boundary_start.size());
-    cursor_.assign(chunks.boundary_start.begin(), chunks.boundary_start.end());
-    for (int a = 0; a < n.active_count(); ++a) chunks.boundary[cursor_[chunk_of_boundary(a)]++] = a;
-}
-
-void RowCutter::list_tasks(const Neighbours& n, RowChunks& chunks) {
-    make_room(chunks.task_start, chunks.block_start.size());
-    make_room(chunks.tasks, n.blocks.size() + n.active_count() / boundary_chunk + chunks.count());
-    chunks.task_start.assign(1, 0);
-    chunks.tasks.clear();
-    chunks.widest = 0;
-    for (int c = 0; c < chunks.count(); ++c) {
-        int placed = chunks.boundary_start[c];
-        const int end = chunks.boundary_start[c + 1];
-        const auto place_piece = [&] {
-            const int first = std::exchange(placed, std::min(placed + boundary_chunk, end));
-            chunks.tasks.push_back({-1, first, placed});
-        };
-        for (int b = chunks.block_start[c]; b < chunks.block_start[c + 1]; ++b) {
-            chunks.tasks.push_back({b});
-            while (placed < end && first_block(n, chunks.boundary[placed]) <= b) place_piece();
+    for (int a = 0; a < n.active_count(); ++a) {
+        join(beside_[a], block_of(n.boundary_pairs[n.boundary_start[a]].soil));
+        join(beside_[a], block_of(n.boundary_pairs[n.boundary_start[a + 1] - 1].soil));
+        const int b = n.active[a];
+        for (int k = wall.neighbour_start[b]; k < wall.neighbour_start[b + 1]; ++k) {
+            const int other = n.node_of_boundary[wall.neighbour[k]];
+            if (other >= 0) join(beside_[a], beside_[other - n.first_boundary]);
         }
-        while (placed < end) place_piece();
-        chunks.task_start.push_back(static_cast<int>(chunks.tasks.size()));
-        chunks.widest = std::max(chunks.widest, chunks.task_start[c + 1] - chunks.task_start[c]);
     }
+}
+
+void RowCutter::find_work(const Neighbours& n) {
+    const int blocks = static_cast<int>(n.blocks.size());
+    set_all(work_, blocks + 1, 0L);
+    for (int b = 0; b < blocks; ++b) work_[b + 1] = n.blocks[b].offset[slices_per_block];
+    for (int a = 0; a < n.active_count(); ++a)
+        work_[beside_[a] + 1] += pairs_of_boundary_pair * (n.boundary_start[a + 1] - n.boundary_start[a]);
+    std::partial_sum(work_.begin(), work_.end(), work_.begin());
+}
+
+/// An even number, so that two threads have the same work.
+int RowCutter::most_chunks() const {
+    int length = least_blocks_of_chunk;
+    const int blocks = static_cast<int>(reach_.size());
+    for (int b = 0; b < blocks; ++b) length = std::max(length, reach_[b] - b);
+    const int count = blocks / length;
+    return count < 2 ? std::min(blocks, 2) : count - count % 2;
+}
+
+/// Into `count` chunks of the same work, as far as blocks allow, none empty.
+void RowCutter::cut_blocks(int count) {
+    const int blocks = static_cast<int>(reach_.size());
+    make_room(start_, blocks + 1);
+    start_.assign(1, 0);
+    for (int c = 1; c < count; ++c) {
+        const long before = work_.back() * c / count;
+        const auto at = std::lower_bound(work_.begin(), work_.end(), before) - work_.begin();
+        start_.push_back(std::clamp(static_cast<int>(at), start_.back() + 1, blocks - count + c));
+    }
+    start_.push_back(blocks);
+}
+
+bool RowCutter::reaches_too_far() const {
+    for (std::size_t c = 0; c + 3 < start_.size(); ++c) {
+        const auto furthest = *std::max_element(reach_.begin() + start_[c], reach_.begin() + start_[c + 1]);
+        if (furthest >= start_[c + 2]) return true;
+    }
+    return false;
+}
+
+void RowCutter::list_chunks(const Neighbours& n, RowChunks& chunks) {
+    const int count = static_cast<int>(start_.size()) - 1;
+    make_room(chunks.list, count);
+    chunks.list.assign(count, {});
+    fit(chunk_of_, n.blocks.size());
+    for (int c = 0; c < count; ++c) {
+        chunks.list[c].first_block = start_[c];
+        chunks.list[c].last_block = start_[c + 1];
+        std::fill(chunk_of_.begin() + start_[c], chunk_of_.begin() + start_[c + 1], c);
+    }
+    for (int a = 0; a < n.active_count(); ++a) ++chunks.list[chunk_of_[beside_[a]]].last_boundary;
+    make_room(cursor_, count);
+    cursor_.clear();
+    int placed = 0;
+    for (RowChunk& chunk : chunks.list) {
+        chunk.first_boundary = placed;
+        placed = chunk.last_boundary += placed;
+        cursor_.push_back(chunk.first_boundary);
+    }
+    fit(chunks.boundary, n.active_count());
+    for (int a = 0; a < n.active_count(); ++a) chunks.boundary[cursor_[chunk_of_[beside_[a]]]++] = a;
 }
 
 }  // namespace runout

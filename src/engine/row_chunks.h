@@ -5,47 +5,48 @@
 namespace runout {
 
 struct Neighbours;
+struct Wall;
 
-/// What one thread works on at a time: the rows of a block, or a piece of the boundary particles.
-struct RowTask {
-    int block = -1;           ///< -1: boundary particles [first, last) of RowChunks::boundary
-    int first = 0, last = 0;  ///< nothing: a block
+/// A run of blocks of pair rows and the boundary particles beside them.
+struct RowChunk {
+    int first_block = 0, last_block = 0;        ///< blocks [first_block, last_block)
+    int first_boundary = 0, last_boundary = 0;  ///< of RowChunks::boundary
 };
 
-/// Blocks of pair rows cut into consecutive chunks so that every pair of soil that does not sleep is of one
-/// chunk or of two that follow each other. A boundary particle belongs to a chunk as well: all soil it is
-/// paired with is in that, the one before or the one after.
+/// Blocks of pair rows cut into consecutive chunks so that all that a pair joins, be it soil that does not
+/// sleep or wall, is of one chunk or of two that follow each other. The chunks do not depend on the number of
+/// threads. Each thread has its share of them, the same in every pass: what one core has written is far from
+/// the others.
 struct RowChunks {
-    std::vector<int> block_start;     ///< blocks of chunk c: [block_start[c], block_start[c+1])
-    std::vector<int> boundary_start;  ///< boundary particles of chunk c: [boundary_start[c], ...[c+1])
-    std::vector<int> boundary;        ///< active boundary particles, chunk by chunk
-    /// Tasks of chunk c: [task_start[c], task_start[c+1]). Boundary particles stand after a block of soil
-    /// that they touch, so that threads which take a share of the tasks each have their share of both, side
-    /// by side.
-    std::vector<int> task_start;
-    std::vector<RowTask> tasks;
-    int widest = 0;  ///< most tasks of a chunk
+    std::vector<RowChunk> list;
+    std::vector<int> boundary;     ///< active boundary particles, chunk by chunk
+    std::vector<int> share_start;  ///< chunks of thread t: [share_start[t], share_start[t+1]), never none
 
-    [[nodiscard]] int count() const { return static_cast<int>(block_start.size()) - 1; }
+    [[nodiscard]] int count() const { return static_cast<int>(list.size()); }
+    [[nodiscard]] int shares() const { return static_cast<int>(share_start.size()) - 1; }
 };
-
-/// Active boundary particles that one thread works on at a time: about as long as on a block.
-constexpr int boundary_chunk = 32;
 
 /// Cuts the rows into chunks; keeps the memory from call to call.
 class RowCutter {
   public:
-    void cut(Neighbours& n);
+    /// On return `n` has its chunks, of about the same number of pairs each, shared out among `threads`
+    /// threads.
+    void cut(const Wall& wall, int threads, Neighbours& n);
 
   private:
-    void find_reach(const Neighbours& n);
-    void cut_blocks(int blocks, RowChunks& chunks);
-    void place_boundary(const Neighbours& n, RowChunks& chunks);
-    static void list_tasks(const Neighbours& n, RowChunks& chunks);
+    void place_boundary(const Neighbours& n);
+    void find_reach(const Neighbours& n, const Wall& wall);
+    void find_work(const Neighbours& n);
+    [[nodiscard]] int most_chunks() const;
+    void cut_blocks(int count);
+    [[nodiscard]] bool reaches_too_far() const;
+    void list_chunks(const Neighbours& n, RowChunks& chunks);
 
-    std::vector<int> next_;        ///< per block: the last block that is to be in its chunk or the next
-    std::vector<int> after_next_;  ///< per block: the last that is to be no further than two chunks on
-    std::vector<int> chunk_of_;    ///< per block
+    std::vector<int> beside_;     ///< per active boundary particle: the block in the middle of its soil
+    std::vector<int> reach_;      ///< per block: the last that is to be in its chunk or the next
+    std::vector<long> work_;      ///< pairs of all blocks before this one
+    std::vector<int> start_;      ///< first block of each chunk
+    std::vector<int> chunk_of_;   ///< per block
     std::vector<int> cursor_;
 };
 

@@ -83,8 +83,8 @@ Simulation::Simulation(const Scene& scene, const Packing& packing)
       friction_(discretisation_,
                 YieldStrength(scene.material, scene.effects,
                               base_strength_ratios(scene.material, scene.effects, wall_)),
-                run_.friction, run_.friction_iterations, threads_),
-      pressure_(discretisation_, scene.run.gravity, length_scale_, scene.run.pressure_tolerance, threads_) {
+                run_.friction, run_.friction_iterations),
+      pressure_(discretisation_, scene.run.gravity, length_scale_, scene.run.pressure_tolerance) {
     for (std::size_t i = 0; i < packing.x.size(); ++i) start_.emplace_back(packing.x[i], packing.y[i]);
     release_head_ = *std::min_element(packing.x.begin(), packing.x.end()) - 0.5 * packing.spacing;
     set_up_effects();
@@ -218,9 +218,11 @@ FrictionStep Simulation::friction_step(double dt, int iterations) {
 }
 
 void Simulation::find_pressure_gradient() {
-    for_each_awake(neighbours_, threads_, [&](const PairRows& rows, int) {
-        pair_kernels().pressure_gradient(rows, pressure_.node_pressure().data(), force_x_.data(),
-                                         force_y_.data());
+    for_each_chunk(neighbours_.chunks, [&](int chunk) {
+        for_each_awake(neighbours_, chunk, [&](const PairRows& rows, int) {
+            pair_kernels().pressure_gradient(rows, pressure_.node_pressure().data(), force_x_.data(),
+                                             force_y_.data());
+        });
     });
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/parallel.h"
-
 namespace runout {
 
 double base_strength_ratio(const Material& material, const Effects& effects, double x) {
@@ -48,34 +46,6 @@ double YieldStrength::friction(double effective_pressure, double strain_rate) co
     const double number =
         2.0 * strain_rate * rate_->grain_diameter * std::sqrt(rate_->grain_density / effective_pressure);
     return sin_phi_ + rate_->increase * number / (number + rate_->inertial_number);
-}
-
-void YieldStrength::find(const Neighbours& n, const std::vector<double>& pressure,
-                         const std::vector<double>& pore_pressure, const std::vector<double>& strain_rate,
-                         int threads, std::vector<float>& strength) const {
-    for_each_piece(n.nodes, threads, [&](int first, int last) {
-        for (int i = first; i < last; ++i) {
-            const double p = std::max(wet_ ? pressure[i] - pore_pressure[i] : pressure[i], -tension_);
-            const double mu = rate_ && p > 0.0 ? friction(p, strain_rate[i]) : sin_phi_;
-            strength[i] = static_cast<float>(std::max(0.0, p * mu + cohesion_));
-        }
-    });
-    if (!base_ratios_.empty()) weaken_base(n, pressure, pore_pressure, strength);
-}
-
-void YieldStrength::weaken_base(const Neighbours& n, const std::vector<double>& pressure,
-                                const std::vector<double>& pore_pressure,
-                                std::vector<float>& strength) const {
-    const auto weaken = [&](int node, int boundary) {
-        const double ratio = base_ratios_[static_cast<std::size_t>(boundary)];
-        if (ratio >= sin_phi_) return;
-        const double p = std::max(wet_ ? pressure[node] - pore_pressure[node] : pressure[node], -tension_);
-        strength[node] = static_cast<float>(std::max(0.0, p * ratio + cohesion_ * ratio / sin_phi_));
-    };
-    for (int i = 0; i < n.soil_count; ++i) {
-        if (n.nearest_boundary[i] >= 0) weaken(i, n.nearest_boundary[i]);
-    }
-    for (int a = 0; a < n.active_count(); ++a) weaken(n.first_boundary + a, n.active[a]);
 }
 
 }  // namespace runout

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
-#include "engine/neighbours.h"
 #include "engine/wall.h"
 #include "scene/scene.h"
 
@@ -28,19 +28,24 @@ class YieldStrength {
   public:
     YieldStrength(const Material& material, const Effects& effects, std::vector<double> base_ratios);
 
-    /// On return `strength` has the yield stress of every node, Pa. `pore_pressure` and `strain_rate`, per
-    /// node, Pa and 1/s (|e|), are looked at where the effect is there.
-    void find(const Neighbours& n, const std::vector<double>& pressure,
-              const std::vector<double>& pore_pressure, const std::vector<double>& strain_rate, int threads,
-              std::vector<float>& strength) const;
+    /// Yield stress, Pa, of a node whose nearest boundary particle is `boundary` (-1: none near). Where the
+    /// effect is there, `pore_pressure` and `strain_rate`, |e|, are looked at: Pa, Pa and 1/s.
+    [[nodiscard]] double at(int boundary, double pressure, double pore_pressure, double strain_rate) const {
+        const double p = std::max(wet_ ? pressure - pore_pressure : pressure, -tension_);
+        if (boundary >= 0 && !base_ratios_.empty()) {
+            const double ratio = base_ratios_[static_cast<std::size_t>(boundary)];
+            if (ratio < sin_phi_) return std::max(0.0, p * ratio + cohesion_ * ratio / sin_phi_);
+        }
+        const double mu = rate_ && p > 0.0 ? friction(p, strain_rate) : sin_phi_;
+        return std::max(0.0, p * mu + cohesion_);
+    }
 
+    [[nodiscard]] bool wet() const { return wet_; }
     [[nodiscard]] bool cohesive() const { return cohesion_ > 0.0; }
     [[nodiscard]] bool depends_on_rate() const { return rate_.has_value(); }
 
   private:
     [[nodiscard]] double friction(double effective_pressure, double strain_rate) const;
-    void weaken_base(const Neighbours& n, const std::vector<double>& pressure,
-                     const std::vector<double>& pore_pressure, std::vector<float>& strength) const;
 
     double sin_phi_;
     double cohesion_;  ///< c cos(phi), Pa

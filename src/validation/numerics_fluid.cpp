@@ -72,8 +72,8 @@ Fluid::Fluid(double spacing, const std::vector<Vec2>& points, const BedLine& bed
     : cloud(spacing, points, bed),
       gravity_(gravity),
       friction_(cloud.d, YieldStrength(Material{density, 0.0}, {}, {}), FrictionScheme::projected,
-                RunSettings{}.friction_iterations, 1),
-      pressure_(cloud.d, speed * speed / length, length, RunSettings{}.pressure_tolerance, 1) {}
+                RunSettings{}.friction_iterations),
+      pressure_(cloud.d, speed * speed / length, length, RunSettings{}.pressure_tolerance) {}
 
 double Fluid::time_step() const {
     double speed2 = 0.0;

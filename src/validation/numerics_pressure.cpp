@@ -68,7 +68,7 @@ double laplacian_ratio(const Discretisation& d) {
 /// With dt = rho the velocity v* = grad phi asks for the pressure phi. L2 error of p over `ratio`.
 double manufactured_error(int cells, double ratio) {
     Cloud cloud = full_box(cells);
-    PressureSolver solver(cloud.d, no_gravity, 1.0, tolerance, 1);
+    PressureSolver solver(cloud.d, no_gravity, 1.0, tolerance);
     std::vector<double> vx, vy;
     fill(cloud, 0.0, vx, vy);
     solver.solve(cloud.n, cloud.soil, cloud.wall, vx, vy, {density, 0.0, false, 1.0});
@@ -85,7 +85,7 @@ double manufactured_error(int cells, double ratio) {
 /// v + grad phi less v, over v.
 double projection_error(int cells, int count) {
     Cloud cloud = full_box(cells);
-    PressureSolver solver(cloud.d, no_gravity, 1.0, tolerance, 1);
+    PressureSolver solver(cloud.d, no_gravity, 1.0, tolerance);
     std::vector<double> vx, vy, gx, gy;
     fill(cloud, 1.0, vx, vy);
     for (int k = 0; k < count; ++k)

@@ -51,7 +51,7 @@ ShearedBlock::ShearedBlock(FrictionScheme scheme, double inertial_number, double
       dt_(step / cells / std::sqrt(pressure / density)),
       cloud_(1.0 / cells, lattice(1.0 / cells, {-0.5, -0.5}, {0.5, 0.5}), no_bed()),
       friction_(cloud_.d, YieldStrength(Material{density, radians(friction_angle_deg)}, {}, {}), scheme,
-                RunSettings{}.friction_iterations, 1) {
+                RunSettings{}.friction_iterations) {
     Soil& soil = cloud_.soil;
     std::fill_n(soil.pressure.begin(), soil.count, pressure);
     for (int i = 0; i < soil.count; ++i) soil.vx[i] = rate_ * soil.y[i];

@@ -87,7 +87,7 @@ void PressureProduct(benchmark::State& state) {
 void PressureSolve(benchmark::State& state) {
     const int cells = cells_for(state);
     Filled f(cells);
-    PressureSolver solver(f.d, gravity, 1.0, 1e-2, 1);
+    PressureSolver solver(f.d, gravity, 1.0, 1e-2);
     std::vector<double> vx(f.n.nodes, 0.0);
     std::vector<double> vy(f.n.nodes, 0.0);
     std::fill(vy.begin(), vy.begin() + f.soil.count, -gravity * 1e-3);
