@@ -27,8 +27,11 @@ struct HandMade {
     StepFacts step{.time = 0.5, .dt = 1e-3};
     InvariantWatch watch{scales()};
 
-    HandMade() { watch.observe(soil, density, step); }
-    void observe() { watch.observe(soil, density, step); }
+    HandMade() { observe(); }
+    void observe() { observe_with(watch, density); }
+    void observe_with(InvariantWatch& other, const std::vector<double>& densities) const {
+        other.observe(survey(soil, densities, g, 0, soil.count), step);
+    }
     [[nodiscard]] std::string violation() const { return watch.violation().value_or(""); }
 };
 
@@ -40,6 +43,36 @@ TEST(Invariants, HoldForSoilAtRest) {
     HandMade state;
     for (int k = 0; k < 1000; ++k) state.observe();
     EXPECT_EQ(state.violation(), "");
+}
+
+TEST(SoilSurvey, OfTheWholeIsThatOfItsParts) {
+    HandMade state;
+    state.soil.vx = {1.0, -3.0, 2.0, 0.5};
+    state.soil.pressure = {5.0, 7.0, -2.0, -1.0};
+    state.density = {0.9, 1.2, 1.0, 1.3};
+    const SoilSurvey whole = survey(state.soil, state.density, g, 0, 4);
+    for (int cut = 0; cut <= 4; ++cut) {
+        SoilSurvey parts;
+        parts += survey(state.soil, state.density, g, 0, cut);
+        parts += survey(state.soil, state.density, g, cut, 4);
+        EXPECT_EQ(parts.count, 4);
+        EXPECT_EQ(parts.numbers, whole.numbers);
+        EXPECT_DOUBLE_EQ(parts.energy, whole.energy);
+        EXPECT_DOUBLE_EQ(parts.excess, whole.excess);
+        EXPECT_EQ(parts.speed2, 9.0);
+        EXPECT_EQ(parts.fastest_x, 0.1);
+        EXPECT_EQ(parts.density, 1.3);
+        EXPECT_EQ(parts.densest_x, 0.3);
+        EXPECT_EQ(parts.tension, 2.0);
+        EXPECT_EQ(parts.tension_x, 0.2);
+        EXPECT_EQ(parts.first_x, 0.0);
+        EXPECT_EQ(parts.last_x, 0.3);
+    }
+    state.soil.vx[1] = std::numeric_limits<double>::quiet_NaN();  // no later part may hide it
+    SoilSurvey parts = survey(state.soil, state.density, g, 0, 2);
+    parts += survey(state.soil, state.density, g, 2, 4);
+    EXPECT_TRUE(std::isnan(parts.speed2));
+    EXPECT_EQ(parts.fastest_x, 0.1);
 }
 
 TEST(Invariants, SayWhichWhenAndWhere) {
@@ -134,11 +167,11 @@ TEST(Invariants, ASourceThatStartsCrowdedHasNotLostArea) {
     InvariantWatch watch{scales()};
     const std::vector<double> crowded{1.2, 1.2, 1.2, 1.2};
     const HandMade state;
-    watch.observe(state.soil, crowded, state.step);
+    state.observe_with(watch, crowded);
     EXPECT_FALSE(watch.violation());
-    watch.observe(state.soil, {1.0, 1.0, 1.0, 1.0}, state.step);
+    state.observe_with(watch, {1.0, 1.0, 1.0, 1.0});
     EXPECT_FALSE(watch.violation());
-    watch.observe(state.soil, crowded, state.step);  // once it has loosened this is a loss
+    state.observe_with(watch, crowded);  // once it has loosened this is a loss
     EXPECT_TRUE(watch.violation());
 }
 

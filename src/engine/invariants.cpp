@@ -84,50 +84,82 @@ void InvariantWatch::note_energy(double mechanical, double fastest_x, const Step
     note(Invariant::energy_balance, std::abs(unaccounted) / unit, fastest_x);
 }
 
-void InvariantWatch::observe(const Soil& soil, const std::vector<double>& density, const StepFacts& step) {
-    time_ = step.time;
-    ++steps_;
-    double speed2 = 0.0;
-    double energy = 0.0;  // J/kg
-    double excess = 0.0;
-    double lowest_pressure = 0.0;
-    int fastest = 0;
-    int densest = 0;
-    int lowest = 0;
-    long long numbers = 0;
-    for (int i = 0; i < soil.count; ++i) {
+SoilSurvey survey(const Soil& soil, const std::vector<double>& density, double gravity, int first, int last) {
+    SoilSurvey s;
+    s.count = last - first;
+    int fastest = first;
+    int densest = first;
+    int tensest = first;
+    for (int i = first; i < last; ++i) {
         const double v2 = soil.vx[i] * soil.vx[i] + soil.vy[i] * soil.vy[i];
-        energy += 0.5 * v2 + scales_.gravity * soil.y[i];
-        if (!(v2 <= speed2) && !std::isnan(speed2)) {  // what is no number stays
-            speed2 = v2;
+        s.energy += 0.5 * v2 + gravity * soil.y[i];
+        if (!(v2 <= s.speed2) && !std::isnan(s.speed2)) {
+            s.speed2 = v2;
             fastest = i;
         }
-        if (density[i] > 1.0) excess += density[i] - 1.0;
+        if (density[i] > 1.0) s.excess += density[i] - 1.0;
         if (density[i] > density[densest]) densest = i;
-        if (!(soil.pressure[i] >= lowest_pressure) && !std::isnan(lowest_pressure)) {
-            lowest_pressure = soil.pressure[i];
-            lowest = i;
+        if (!(-soil.pressure[i] <= s.tension) && !std::isnan(s.tension)) {
+            s.tension = -soil.pressure[i];
+            tensest = i;
         }
-        numbers += soil.id[i];
+        s.numbers += soil.id[i];
+        s.first_x = std::min(s.first_x, soil.x[i]);
+        s.last_x = std::max(s.last_x, soil.x[i]);
     }
-    const long long count = soil.count;
-    const double x = soil.x[fastest];
+    if (s.count == 0) return s;
+    s.fastest_x = soil.x[fastest];
+    s.density = density[densest];
+    s.densest_x = soil.x[densest];
+    s.tension_x = soil.x[tensest];
+    return s;
+}
+
+SoilSurvey& SoilSurvey::operator+=(const SoilSurvey& next) {
+    const bool none = count == 0;
+    if (none || (!(next.speed2 <= speed2) && !std::isnan(speed2))) {
+        speed2 = next.speed2;
+        fastest_x = next.fastest_x;
+    }
+    if (none || next.density > density) {
+        density = next.density;
+        densest_x = next.densest_x;
+    }
+    if (none || (!(next.tension <= tension) && !std::isnan(tension))) {
+        tension = next.tension;
+        tension_x = next.tension_x;
+    }
+    count += next.count;
+    energy += next.energy;
+    excess += next.excess;
+    numbers += next.numbers;
+    first_x = std::min(first_x, next.first_x);
+    last_x = std::max(last_x, next.last_x);
+    return *this;
+}
+
+void InvariantWatch::observe(const SoilSurvey& soil, const StepFacts& step) {
+    time_ = step.time;
+    ++steps_;
+    const auto count = static_cast<double>(soil.count);
+    const double x = soil.fastest_x;
     const double available = scales_.gravity * scales_.height + std::max(0.0, step.work_supplied);
-    note(Invariant::speed, std::sqrt(speed2 / (2.0 * available)), x);
-    note(Invariant::particles, static_cast<double>(std::abs(numbers - count * (count - 1) / 2)), x);
+    note(Invariant::speed, std::sqrt(soil.speed2 / (2.0 * available)), x);
+    note(Invariant::particles,
+         static_cast<double>(std::abs(soil.numbers - soil.count * (soil.count - 1) / 2)), x);
     note(Invariant::penetration, step.greatest_depth / scales_.spacing, step.depth_x);
-    note_energy(energy / static_cast<double>(count), x, step);
-    note(Invariant::density, density[densest] - 1.0, soil.x[densest]);
+    note_energy(soil.energy / count, x, step);
+    note(Invariant::density, soil.density - 1.0, soil.densest_x);
     // A source about as thin as a spacing starts crowded, which is no loss; from then on it may only loosen.
-    const double crowding = excess / static_cast<double>(count);
+    const double crowding = soil.excess / count;
     least_crowding_ = steps_ == 1 ? crowding : std::min(least_crowding_, crowding);
-    note(Invariant::volume, crowding - least_crowding_, soil.x[densest]);
+    note(Invariant::volume, crowding - least_crowding_, soil.densest_x);
     note(Invariant::pressure,
-         -(lowest_pressure + scales_.tension) / (scales_.density * scales_.gravity * scales_.height),
-         soil.x[lowest]);
+         (soil.tension - scales_.tension) / (scales_.density * scales_.gravity * scales_.height),
+         soil.tension_x);
     note(Invariant::residual, step.unconverged / tolerated_misses, x);
-    driven_in_ += static_cast<double>(step.driven_in) / static_cast<double>(count);
-    const double grace = guard_grace / static_cast<double>(count);
+    driven_in_ += static_cast<double>(step.driven_in) / count;
+    const double grace = guard_grace / count;
     note(Invariant::wall_guard, std::max(0.0, driven_in_ - grace) / static_cast<double>(steps_),
          step.depth_x);
     const double natural =

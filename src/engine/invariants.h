@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -64,15 +65,33 @@ struct StepFacts {
     double depth_x = 0;         ///< where
 };
 
-/// Holds every step against the invariants. One pass over the particles a step.
+/// What a step left of some of the soil.
+struct SoilSurvey {
+    long count = 0;
+    double energy = 0;  ///< kinetic and potential, sum over the particles, J/kg
+    double excess = 0;  ///< sum of the density above rho_0, in rho_0
+    long long numbers = 0;
+    double speed2 = 0, fastest_x = 0;  ///< of the fastest, m2/s2; what is no number stays
+    double density = 0, densest_x = 0;
+    double tension = 0, tension_x = 0;  ///< the greatest, Pa; what is no number stays
+    double first_x = std::numeric_limits<double>::infinity();
+    double last_x = -std::numeric_limits<double>::infinity();
+
+    SoilSurvey& operator+=(const SoilSurvey& next);
+};
+
+/// Of soil [first, last). `density`: rho / rho_0 per particle.
+SoilSurvey survey(const Soil& soil, const std::vector<double>& density, double gravity, int first, int last);
+
+/// Holds every step against the invariants.
 class InvariantWatch {
   public:
     explicit InvariantWatch(const InvariantScales& scales);
 
     /// Soil was added at rest, the source may stand higher now; energy is reckoned anew from here.
     void restart(double height);
-    /// `density`: rho / rho_0 per particle.
-    void observe(const Soil& soil, const std::vector<double>& density, const StepFacts& step);
+    /// `soil`: of all soil.
+    void observe(const SoilSurvey& soil, const StepFacts& step);
 
     /// "energy_rise at t = 0.31 s, x = 1.2 m: 0.034, at most 0.02" for the first one violated, if any.
     [[nodiscard]] const std::optional<std::string>& violation() const { return violation_; }

@@ -108,17 +108,19 @@ void write_wall_pairs(PairBlock& block, std::size_t first, int first_row, const 
     }
 }
 
-/// Brings fields of one length into a new order, one after the other through the same scratch, on `threads`
-/// threads.
-template <class T, std::size_t fields>
-void permute(const std::array<std::vector<T>*, fields>& values, const std::vector<int>& order, int threads,
-             std::vector<T>& scratch) {
-    for (std::vector<T>* field : values) {
-        fit(scratch, order.size());
-        for_each_piece(static_cast<int>(order.size()), threads, [&](int first, int last) {
-            for (int i = first; i < last; ++i) scratch[i] = (*field)[order[i]];
+/// Brings fields of one length into a new order, a few at a time through the same scratch, each thread its
+/// share of the new order.
+template <class T, std::size_t fields, std::size_t at_once>
+void permute(const std::array<std::vector<T>*, fields>& values, const std::vector<int>& order,
+             const std::vector<int>& shares, std::array<std::vector<T>, at_once>& scratch) {
+    static_assert(fields % at_once == 0);
+    for (auto& room : scratch) fit(room, order.size());
+    for (std::size_t begin = 0; begin < fields; begin += at_once) {
+        for_each_share(shares, [&](int first, int last) {
+            for (std::size_t k = 0; k < at_once; ++k)
+                for (int i = first; i < last; ++i) scratch[k][i] = (*values[begin + k])[order[i]];
         });
-        field->swap(scratch);
+        for (std::size_t k = 0; k < at_once; ++k) values[begin + k]->swap(scratch[k]);
     }
 }
 
@@ -135,10 +137,30 @@ NeighbourSearch::NeighbourSearch(const Discretisation& discretisation, int threa
 void NeighbourSearch::sort(Soil& soil) {
     grid_.sort(soil.x, soil.y, soil.count, order_, threads_);
     for (int i = soil.count; i < soil.padded(); ++i) order_.push_back(i);
+    share_out(soil.padded());
+    fit(share_rows_, share_blocks_.size());
+    for (std::size_t t = 0; t < share_rows_.size(); ++t)
+        share_rows_[t] = std::min(share_blocks_[t] * rows_per_block, soil.padded());
     permute(std::array{&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy,
                        &soil.contact_x, &soil.contact_y},
-            order_, threads_, scratch_);
-    permute(std::array{&soil.id, &soil.aggregate}, order_, threads_, name_scratch_);
+            order_, share_rows_, scratch_);
+    permute(std::array{&soil.id, &soil.aggregate}, order_, share_rows_, name_scratch_);
+}
+
+/// Each thread finds the blocks that it worked on in the last step; the same number where there was none.
+void NeighbourSearch::share_out(int rows) {
+    const int blocks = (rows + rows_per_block - 1) / rows_per_block;
+    if (!share_blocks_.empty() && share_blocks_.back() == blocks) return;
+    fit(share_blocks_, threads_ + 1);
+    for (int t = 0; t <= threads_; ++t) share_blocks_[t] = t * blocks / threads_;
+}
+
+/// As the chunks are.
+void NeighbourSearch::keep_shares(const Neighbours& n) {
+    fit(share_blocks_, n.chunks.shares() + 1);
+    for (int t = 0; t < n.chunks.shares(); ++t)
+        share_blocks_[t] = n.chunks.list[n.chunks.share_start[t]].first_block;
+    share_blocks_.back() = static_cast<int>(n.blocks.size());
 }
 
 void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
@@ -150,12 +172,15 @@ void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
     set_rest(n.nearest_boundary, soil.count, soil.padded(), -1);
     fit(n.company, soil.padded());
     for (auto& component : n.correction) set_rest(component, soil.count, soil.padded(), 0.0F);
-    const int blocks = (soil.padded() + rows_per_block - 1) / rows_per_block;
-    n.blocks.resize(blocks);
-    for_each_block(blocks, threads_, [&](int b) { find_block(soil, wall, n, b); });
+    share_out(soil.padded());
+    n.blocks.resize(share_blocks_.back());
+    for_each_share(share_blocks_, [&](int first, int last) {
+        for (int b = first; b < last; ++b) find_block(soil, wall, n, b);
+    });
     number_boundary(soil, wall, n);
     fill_boundary_rows(wall, soil, n);
     cutter_.cut(wall, threads_, n);
+    keep_shares(n);
 }
 
 void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours& n, int b) const {
@@ -254,10 +279,12 @@ void NeighbourSearch::number_boundary(const Soil& soil, const Wall& wall, Neighb
     for (int a = 0; a < n.active_count(); ++a) n.node_of_boundary[n.active[a]] = n.first_boundary + a;
     std::erase_if(n.left, [&](int b) { return n.node_of_boundary[b] >= 0; });
     n.nodes = soil.padded() + n.active_count();
-    for_each_block(static_cast<int>(n.blocks.size()), threads_, [&](int b) {
-        PairBlock& block = n.blocks[b];
-        for (const WallPair& pair : block.wall_pairs)
-            block.column[pair.slot] = n.node_of_boundary[pair.boundary];
+    for_each_share(share_blocks_, [&](int first, int last) {
+        for (int b = first; b < last; ++b) {
+            PairBlock& block = n.blocks[b];
+            for (const WallPair& pair : block.wall_pairs)
+                block.column[pair.slot] = n.node_of_boundary[pair.boundary];
+        }
     });
 }
 

@@ -103,6 +103,8 @@ class NeighbourSearch {
     void find(const Soil& soil, const Wall& wall, Neighbours& neighbours);
 
   private:
+    void share_out(int rows);
+    void keep_shares(const Neighbours& n);
     void find_block(const Soil& soil, const Wall& wall, Neighbours& n, int block) const;
     void fade_lone_grains(Neighbours& n, int first_row, const SliceSums& soil,
                           std::array<WallRow, lanes>& wall) const;
@@ -117,8 +119,10 @@ class NeighbourSearch {
     double company_kernel_ = 0;  ///< from which it is in company
     CellGrid grid_;
     std::vector<int> order_;
-    std::vector<double> scratch_;
-    std::vector<int> name_scratch_;
+    std::array<std::vector<double>, 3> scratch_;
+    std::array<std::vector<int>, 2> name_scratch_;
+    std::vector<int> share_blocks_;  ///< the first block of each thread's share, and one past the last of all
+    std::vector<int> share_rows_;    ///< the same in rows
     std::vector<double> moment_;
     std::vector<int> cursor_;
     RowCutter cutter_;

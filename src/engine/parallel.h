@@ -17,6 +17,14 @@ void for_each_block(int count, int threads, const Function& f) {
     for (int i = 0; i < count; ++i) f(i);
 }
 
+/// Calls f(first, last) for each thread's share of a range, which begins at start[t] and ends where the next
+/// begins.
+template <class Function>
+void for_each_share(const std::vector<int>& start, const Function& f) {
+    const int shares = static_cast<int>(start.size()) - 1;
+    for_each_block(shares, shares, [&](int t) { f(start[t], start[t + 1]); });
+}
+
 /// Numbers that one thread works on at a time.
 constexpr int piece = 512;
 
@@ -49,15 +57,6 @@ template <class Term, class Function>
 Term sum_pieces(int size, int threads, std::vector<Term>& partial, const Function& f) {
     return sum_blocks((size + piece - 1) / piece, threads, partial,
                       [&](int p) { return f(p * piece, std::min(size, (p + 1) * piece)); });
-}
-
-/// Greatest f(first, last) over consecutive pieces of [0, size), none below 0.
-template <class Function>
-double max_pieces(int size, int threads, std::vector<double>& partial, const Function& f) {
-    sum_pieces(size, threads, partial, f);
-    double greatest = 0.0;
-    for (const double term : partial) greatest = std::max(greatest, term);
-    return greatest;
 }
 
 }  // namespace runout

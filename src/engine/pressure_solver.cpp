@@ -263,7 +263,7 @@ double PressureSolver::hand_over(const Neighbours& n, double renewal, Soil& soil
         pressure_[node] = std::max(pressure_[node], least);
         carried = free_[node] ? carried + renewal * (pressure_[node] - carried) : pressure_[node];
     };
-    sum_chunks(n.chunks, partial_, [&](int chunk) {
+    return max_chunks(n.chunks, partial_, [&](int chunk) {
         double highest = 0.0;
         for_each_soil(n, chunk, [&](int i) {
             settle(soil.pressure[i], i);
@@ -273,7 +273,6 @@ double PressureSolver::hand_over(const Neighbours& n, double renewal, Soil& soil
                           [&](int a) { settle(wall.pressure[n.active[a]], n.first_boundary + a); });
         return highest;
     });
-    return *std::max_element(partial_.begin(), partial_.end());
 }
 
 PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,

@@ -12,21 +12,22 @@
 
 namespace runout {
 
-/// Calls f(i) for the rows of soil of a chunk, asleep or not, then for its boundary nodes.
-template <class Function>
-void for_each_node(const Neighbours& n, int chunk, const Function& f) {
+/// Rows of soil [first, last).
+struct RowRange {
+    int first = 0, last = 0;
+};
+
+/// Of a chunk, asleep or not.
+inline RowRange soil_rows(const Neighbours& n, int chunk) {
     const RowChunk& c = n.chunks.list[chunk];
-    const int last = std::min(c.last_block * rows_per_block, n.soil_count);
-    for (int i = c.first_block * rows_per_block; i < last; ++i) f(i);
-    for (int k = c.first_boundary; k < c.last_boundary; ++k) f(n.first_boundary + n.chunks.boundary[k]);
+    return {c.first_block * rows_per_block, std::min(c.last_block * rows_per_block, n.soil_count)};
 }
 
 /// Calls f(i) for the rows of soil of a chunk, asleep or not.
 template <class Function>
 void for_each_soil(const Neighbours& n, int chunk, const Function& f) {
-    const RowChunk& c = n.chunks.list[chunk];
-    const int last = std::min(c.last_block * rows_per_block, n.soil_count);
-    for (int i = c.first_block * rows_per_block; i < last; ++i) f(i);
+    const RowRange rows = soil_rows(n, chunk);
+    for (int i = rows.first; i < rows.last; ++i) f(i);
 }
 
 /// Calls f(a) for the active boundary particles of a chunk.
@@ -34,6 +35,13 @@ template <class Function>
 void for_each_boundary(const Neighbours& n, int chunk, const Function& f) {
     const RowChunk& c = n.chunks.list[chunk];
     for (int k = c.first_boundary; k < c.last_boundary; ++k) f(n.chunks.boundary[k]);
+}
+
+/// Calls f(i) for the rows of soil of a chunk, asleep or not, then for its boundary nodes.
+template <class Function>
+void for_each_node(const Neighbours& n, int chunk, const Function& f) {
+    for_each_soil(n, chunk, f);
+    for_each_boundary(n, chunk, [&](int a) { f(n.first_boundary + a); });
 }
 
 /// Calls f(rows, last) for the rows of a chunk that do not sleep, see for_each_awake_run.
@@ -69,6 +77,15 @@ Term sum_chunks(const RowChunks& chunks, std::vector<Term>& partial, const Funct
     fit(partial, chunks.count());
     for_each_chunk(chunks, [&](int c) { partial[c] = f(c); });
     return sum_of(partial);
+}
+
+/// Greatest f(c) over the chunks, none below 0.
+template <class Function>
+double max_chunks(const RowChunks& chunks, std::vector<double>& partial, const Function& f) {
+    sum_chunks(chunks, partial, f);
+    double greatest = 0.0;
+    for (const double term : partial) greatest = std::max(greatest, term);
+    return greatest;
 }
 
 /// Where threads tell each other how far they have come with the first and the last chunk of their share,

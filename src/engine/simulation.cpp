@@ -7,7 +7,7 @@
 #include "engine/bed_shape.h"
 #include "engine/node_array.h"
 #include "engine/operators.h"
-#include "engine/parallel.h"
+#include "engine/row_passes.h"
 #include "scene/rest_check.h"
 
 namespace runout {
@@ -189,12 +189,12 @@ PressureSolve Simulation::resist(double dt) {
 /// pace for all: they may go a whole spacing. Shorter where the run nears a limit of the checks.
 double Simulation::choose_time_step() {
     const double lone2 = run_.courant * run_.courant;
-    const double speed2 = max_pieces(soil_.count, threads_, partial_, [&](int first, int last) {
+    const double speed2 = max_chunks(neighbours_.chunks, partial_, [&](int chunk) {
         double greatest = 0.0;
-        for (int i = first; i < last; ++i) {
+        for_each_soil(neighbours_, chunk, [&](int i) {
             const double v2 = soil_.vx[i] * soil_.vx[i] + soil_.vy[i] * soil_.vy[i];
             greatest = std::max(greatest, in_body(i) ? v2 : lone2 * v2);
-        }
+        });
         return greatest;
     });
     const double dl = discretisation_.spacing;
@@ -231,9 +231,9 @@ void Simulation::find_pressure_gradient() {
 void Simulation::correct(double dt) {
     const double scale = dt / discretisation_.density;
     const Vec2 gain = dt * body_acceleration();
-    const auto update = [&](int first, int last) {
+    const auto update = [&](int chunk) {
         StepWork work;
-        for (int i = first; i < last; ++i) {
+        for_each_soil(neighbours_, chunk, [&](int i) {
             const double px = -scale * force_x_[i];
             const double py = -scale * force_y_[i];
             const double fx = predicted_vx_[i] - soil_.vx[i] - gain.x();
@@ -249,10 +249,10 @@ void Simulation::correct(double dt) {
             work.momentum_y += mean_y;
             soil_.vx[i] = vx;
             soil_.vy[i] = vy;
-        }
+        });
         return work;
     };
-    const StepWork work = sum_pieces(soil_.count, threads_, partial_work_, update);
+    const StepWork work = sum_chunks(neighbours_.chunks, partial_work_, update);
     friction_work_ += discretisation_.mass() * work.friction;
     pressure_work_ += discretisation_.mass() * work.pressure;
     numerical_work_ += discretisation_.mass() * work.integration;
@@ -263,13 +263,13 @@ void Simulation::correct(double dt) {
 
 /// x += dt v^{n+1}: the mean of old and new velocity collapses the pile.
 void Simulation::move(double dt) {
-    const double highest = max_pieces(soil_.count, threads_, partial_, [&](int first, int last) {
+    const double highest = max_chunks(neighbours_.chunks, partial_, [&](int chunk) {
         double density = 0.0;
-        for (int i = first; i < last; ++i) {
+        for_each_soil(neighbours_, chunk, [&](int i) {
             soil_.x[i] += dt * soil_.vx[i];
             soil_.y[i] += dt * soil_.vy[i];
             density = std::max(density, neighbours_.density[i]);
-        }
+        });
         return density;
     });
     work_.highest_density = std::max(work_.highest_density, highest);
@@ -288,17 +288,22 @@ double Simulation::clearance(int i) const {
     return 0.5 * (1.0 - neighbours_.company[i]) * discretisation_.spacing;
 }
 
-/// Of all soil; nothing for what rests. What the bed gave in the last step is forgotten.
+/// Finds how far all soil is from as near to the bed line as it may come; nothing for what rests. What the
+/// bed gave in the last step is forgotten.
 void Simulation::find_bed_gap() {
     fit(bed_gap_, soil_.count);
+    fit(meets_bed_, neighbours_.chunks.count());
     const bool all_awake = neighbours_.resting.empty();
-    for_each_piece(soil_.count, threads_, [&](int first, int last) {
-        for (int i = first; i < last; ++i) {
+    for_each_chunk(neighbours_.chunks, [&](int chunk) {
+        double least = 0.0;
+        for_each_soil(neighbours_, chunk, [&](int i) {
             bed_gap_[i] = 0.0;
-            if (!all_awake && neighbours_.rests(i)) continue;
+            if (!all_awake && neighbours_.rests(i)) return;
             soil_.contact_x[i] = soil_.contact_y[i] = 0.0;
             bed_gap_[i] = nearest_bed(i).distance - clearance(i);
-        }
+            least = std::min(least, bed_gap_[i]);
+        });
+        meets_bed_[chunk] = least < 0.0 ? 1 : 0;
     });
 }
 
@@ -306,28 +311,32 @@ void Simulation::find_bed_gap() {
 /// and its velocity into the bed ends. Says how many were driven in and how deep the deepest still is.
 StepFacts Simulation::guard_wall(double dt) {
     StepFacts facts;
-    const double harmless = harmless_depth * discretisation_.spacing;
     find_bed_gap();
-    for (int i = 0; i < soil_.count; ++i) {
-        if (bed_gap_[i] >= 0.0) continue;
-        const BedLine::Nearest near = nearest_bed(i);
-        const bool in_company = neighbours_.company[i] == 1.0F;
-        // A grain alone is carried here, and may have come a whole spacing in the step.
-        const double depth = -bed_gap_[i];
-        const double back = in_company ? std::min(depth, 0.5 * discretisation_.spacing) : depth;
-        const Vec2 taken = push_back(i, back, near.normal, dt);
-        if (barrier_) barrier_->add_guard_impulse(near.segment, discretisation_.mass() * taken);
-        // Soil under pressure should have been kept out by it; what nothing presses simply lands. That is the
-        // pressure of this step: what is carried on outlasts it.
-        const bool pressed = soil_.pressure[i] > 0.0 && pressure_.node_pressure()[i] > 0.0;
-        if (back > harmless && in_company && pressed) ++facts.driven_in;
-        if (depth - back > facts.greatest_depth) {
-            facts.greatest_depth = depth - back;
-            facts.depth_x = soil_.x[i];
-        }
+    for (int chunk = 0; chunk < neighbours_.chunks.count(); ++chunk) {
+        if (meets_bed_[chunk] == 0) continue;
+        for_each_soil(neighbours_, chunk, [&](int i) {
+            if (bed_gap_[i] < 0.0) put_back(i, dt, facts);
+        });
     }
     work_.wall_guard_activations += facts.driven_in;
     return facts;
+}
+
+void Simulation::put_back(int i, double dt, StepFacts& facts) {
+    const BedLine::Nearest near = nearest_bed(i);
+    const bool in_company = neighbours_.company[i] == 1.0F;
+    // A grain alone is carried here, and may have come a whole spacing in the step.
+    const double depth = -bed_gap_[i];
+    const double back = in_company ? std::min(depth, 0.5 * discretisation_.spacing) : depth;
+    const Vec2 taken = push_back(i, back, near.normal, dt);
+    if (barrier_) barrier_->add_guard_impulse(near.segment, discretisation_.mass() * taken);
+    // Soil under pressure should have been kept out by it; what nothing presses simply lands. That is the
+    // pressure of this step: what is carried on outlasts it.
+    const bool pressed = soil_.pressure[i] > 0.0 && pressure_.node_pressure()[i] > 0.0;
+    if (back > harmless_depth * discretisation_.spacing && in_company && pressed) ++facts.driven_in;
+    if (depth - back <= facts.greatest_depth) return;
+    facts.greatest_depth = depth - back;
+    facts.depth_x = soil_.x[i];
 }
 
 /// Returns the change of velocity that the bed took.

@@ -146,6 +146,7 @@ class Simulation {
     [[nodiscard]] double clearance(int i) const;
     void find_bed_gap();
     StepFacts guard_wall(double dt);
+    void put_back(int i, double dt, StepFacts& facts);
     Vec2 push_back(int i, double distance, const Vec2& normal, double dt);
     void judge(StepFacts& facts);
     void end_at_rest();
@@ -192,8 +193,10 @@ class Simulation {
     std::vector<double> predicted_vx_, predicted_vy_;
     std::vector<double> force_x_, force_y_;
     std::vector<double> bed_gap_;  ///< to how near the bed line a particle may come, per particle, m
+    std::vector<char> meets_bed_;  ///< per chunk: some of it is nearer
     std::vector<double> partial_;
     std::vector<StepWork> partial_work_;
+    std::vector<SoilSurvey> partial_survey_;
     std::vector<Vec2> start_;  ///< positions at release, by id
 
     bool released_ = false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/row_passes.h"
 #include "engine/simulation.h"
 
 namespace runout {
@@ -21,7 +22,11 @@ void Simulation::judge(StepFacts& facts) {
     facts.work_done =
         (friction_work_ - pressure_work_ + guard_work_ + side_wall_work_ + numerical_work_) / mass;
     facts.work_supplied = shaking_work_ / mass;
-    invariants_.observe(soil_, neighbours_.density, facts);
+    const SoilSurvey soil = sum_chunks(neighbours_.chunks, partial_survey_, [&](int chunk) {
+        const RowRange rows = soil_rows(neighbours_, chunk);
+        return survey(soil_, neighbours_.density, run_.gravity, rows.first, rows.last);
+    });
+    invariants_.observe(soil, facts);
     const InvariantReading& residual = invariants_.readings()[static_cast<std::size_t>(Invariant::residual)];
     if (residual.worst > residual.limit) {
         return end(
@@ -29,15 +34,11 @@ void Simulation::judge(StepFacts& facts) {
             fmt::format("the pressure equation missed its tolerance in 20 steps up to t = {:.4g} s", time_));
     }
     if (invariants_.violation()) return end(RunStatus::diverged, *invariants_.violation());
-    const double first = bed_.points().front().x();
-    const double last = bed_.points().back().x();
-    for (int i = 0; i < soil_.count; ++i) {
-        if (soil_.x[i] > last || soil_.x[i] < first) {
-            return end(
-                RunStatus::left_section,
-                fmt::format("soil passed the {} end of the section at t = {:.4g} s; lengthen the section",
-                            soil_.x[i] < first ? "uphill" : "distal", time_));
-        }
+    const bool uphill = soil.first_x < bed_.points().front().x();
+    if (uphill || soil.last_x > bed_.points().back().x()) {
+        return end(RunStatus::left_section,
+                   fmt::format("soil passed the {} end of the section at t = {:.4g} s; lengthen the section",
+                               uphill ? "uphill" : "distal", time_));
     }
     rest_.observe(soil_, time_);
     if (rest_.at_rest()) return end_at_rest();
