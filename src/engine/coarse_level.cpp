@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
 #include "engine/node_array.h"
+#include "engine/row_passes.h"
 
 namespace runout {
 namespace {
 
+constexpr double cell_spacings = 4.0;
 constexpr int reach = 2;  // cells that a pair can span: supports merge through boundary particles
 constexpr int span = 2 * reach + 1;
 
@@ -27,6 +30,15 @@ using Stencil = std::array<double, span * span>;
 
 }  // namespace
 
+/// What `build` works with, kept from call to call.
+struct CoarseLevel::Cells {
+    std::vector<Cell> of_node;
+    std::vector<std::vector<Cell>> seen;        ///< per chunk
+    std::vector<Cell> list;                     ///< by column and row: the unknowns
+    std::vector<std::vector<Stencil>> stencil;  ///< per chunk, of the cells from CellSums::low on
+    std::vector<Stencil> whole;                 ///< the sum over the chunks
+};
+
 struct CoarseLevel::Factor {
     cholmod_common common{};
     cholmod_factor* factor = nullptr;
@@ -39,10 +51,6 @@ struct CoarseLevel::Factor {
     // The matrix, lower triangle by columns.
     std::vector<int> column_start, row;
     std::vector<double> value;
-
-    // What `build` works with, kept from call to call.
-    std::vector<Cell> cell_of, cells;
-    std::vector<Stencil> stencil;
 
     Factor() {
         cholmod_start(&common);
@@ -91,101 +99,166 @@ struct CoarseLevel::Factor {
     }
 };
 
-CoarseLevel::CoarseLevel() : factor_(std::make_unique<Factor>()) {}
+CoarseLevel::CoarseLevel(double spacing)
+    : size_(cell_spacings * spacing), cells_(std::make_unique<Cells>()), factor_(std::make_unique<Factor>()) {}
 CoarseLevel::~CoarseLevel() = default;
 
-namespace {
-
-/// Numbers the cells that hold free nodes, in order of column and row.
-void number_cells(const std::vector<Cell>& cell_of, const std::vector<char>& free, std::vector<Cell>& cells,
-                  std::vector<int>& aggregate) {
-    cells.clear();  // nodes in spatial order: the next is often in the same cell
-    for (std::size_t i = 0; i < cell_of.size(); ++i) {
-        if (free[i] && (cells.empty() || cells.back() != cell_of[i])) cells.push_back(cell_of[i]);
-    }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    set_all(aggregate, cell_of.size(), -1);
-    for (std::size_t i = 0; i < cell_of.size(); ++i) {
-        if (!free[i]) continue;
-        aggregate[i] =
-            static_cast<int>(std::lower_bound(cells.begin(), cells.end(), cell_of[i]) - cells.begin());
-    }
+/// Of chunks that there are no longer the memory is kept.
+void CoarseLevel::make_sums(int chunks) {
+    chunks_ = chunks;
+    if (sums_.size() >= static_cast<std::size_t>(chunks)) return;
+    sums_.resize(chunks);
+    cells_->stencil.resize(chunks);
 }
 
-}  // namespace
+void CoarseLevel::carry_on(const FineLevel& fine, const Soil& soil) {
+    const Neighbours& n = fine.n;
+    set_rest(cell_, n.soil_count, n.nodes, -1);
+    make_sums(n.chunks.count());
+    for_each_chunk(n.chunks, [&](int chunk) {
+        for_each_soil(n, chunk, [&](int i) { cell_[i] = fine.free[i] ? soil.aggregate[i] : -1; });
+        for_each_boundary(n, chunk, [&](int a) {
+            const int node = n.first_boundary + a;
+            cell_[node] = fine.free[node] ? wall_cell_[n.active[a]] : -1;
+        });
+        find_range(n, chunk);
+    });
+}
 
-void CoarseLevel::build(const Neighbours& n, const Soil& soil, const Wall& wall,
-                        const std::vector<double>& diagonal, const std::vector<char>& free, double cell,
-                        std::vector<int>& aggregate) {
-    Factor& f = *factor_;
-    std::vector<Cell>& cell_of = f.cell_of;
-    std::vector<Cell>& cells = f.cells;
-    std::vector<Stencil>& stencil = f.stencil;
-    set_all(cell_of, n.nodes, Cell{0, 0});
-    const auto place = [&](int node, double x, double y) {
-        cell_of[node] = {static_cast<long>(std::floor(x / cell)), static_cast<long>(std::floor(y / cell))};
+void CoarseLevel::build(const FineLevel& fine, Soil& soil) {
+    const RowChunks& chunks = fine.n.chunks;
+    place_nodes(fine, soil);
+    make_sums(chunks.count());
+    for_each_chunk(chunks, [&](int chunk) {
+        find_range(fine.n, chunk);
+        assemble(fine, chunk);
+    });
+    collect();
+    if (factor_->size > 0) factor_->factorise();
+}
+
+/// Numbers the cells that hold free nodes, in order of column and row.
+void CoarseLevel::place_nodes(const FineLevel& fine, Soil& soil) {
+    const Neighbours& n = fine.n;
+    Cells& cells = *cells_;
+    fit(cells.of_node, n.nodes);
+    if (cells.seen.size() < n.chunks.list.size()) cells.seen.resize(n.chunks.list.size());
+    const auto cell_at = [&](double x, double y) {
+        return Cell{static_cast<long>(std::floor(x / size_)), static_cast<long>(std::floor(y / size_))};
     };
-    for (int i = 0; i < soil.count; ++i) place(i, soil.x[i], soil.y[i]);
-    for (int a = 0; a < n.active_count(); ++a) {
-        place(n.first_boundary + a, wall.x[n.active[a]], wall.y[n.active[a]]);
-    }
-    number_cells(cell_of, free, cells, aggregate);
+    for_each_chunk(n.chunks, [&](int chunk) {
+        for_each_soil(n, chunk, [&](int i) { cells.of_node[i] = cell_at(soil.x[i], soil.y[i]); });
+        for_each_boundary(n, chunk, [&](int a) {
+            cells.of_node[n.first_boundary + a] = cell_at(fine.wall.x[n.active[a]], fine.wall.y[n.active[a]]);
+        });
+        std::vector<Cell>& seen = cells.seen[chunk];
+        seen.clear();  // nodes in spatial order: the next is often in the same cell
+        for_each_node(n, chunk, [&](int i) {
+            if (fine.free[i] && (seen.empty() || seen.back() != cells.of_node[i]))
+                seen.push_back(cells.of_node[i]);
+        });
+        std::sort(seen.begin(), seen.end());
+        seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    });
+    cells.list.clear();
+    for (int c = 0; c < n.chunks.count(); ++c)
+        cells.list.insert(cells.list.end(), cells.seen[c].begin(), cells.seen[c].end());
+    std::sort(cells.list.begin(), cells.list.end());
+    cells.list.erase(std::unique(cells.list.begin(), cells.list.end()), cells.list.end());
+    set_rest(cell_, n.soil_count, n.nodes, -1);
+    wall_cell_.assign(fine.wall.boundary_count, -1);
+    for_each_chunk(n.chunks, [&](int chunk) {
+        for_each_node(n, chunk, [&](int i) {
+            const auto at = std::lower_bound(cells.list.begin(), cells.list.end(), cells.of_node[i]);
+            cell_[i] = fine.free[i] ? static_cast<int>(at - cells.list.begin()) : -1;
+        });
+        for_each_soil(n, chunk, [&](int i) { soil.aggregate[i] = cell_[i]; });
+        for_each_boundary(n, chunk,
+                          [&](int a) { wall_cell_[n.active[a]] = cell_[n.first_boundary + a]; });
+    });
+}
 
-    set_all(stencil, cells.size(), Stencil{});
+/// Which cells the nodes of a chunk are in.
+void CoarseLevel::find_range(const Neighbours& n, int chunk) {
+    int low = std::numeric_limits<int>::max();
+    int high = -1;
+    for_each_node(n, chunk, [&](int i) {
+        if (cell_[i] < 0) return;
+        low = std::min(low, cell_[i]);
+        high = std::max(high, cell_[i]);
+    });
+    sums_[chunk].low = high < 0 ? 0 : low;
+    fit(sums_[chunk].sum, high < 0 ? 0 : high - low + 1);
+}
+
+/// The share of P^T A P that comes of the rows of a chunk.
+void CoarseLevel::assemble(const FineLevel& fine, int chunk) {
+    const Neighbours& n = fine.n;
+    const std::vector<Cell>& list = cells_->list;
+    std::vector<Stencil>& stencil = cells_->stencil[chunk];
+    set_all(stencil, sums_[chunk].sum.size(), Stencil{});
     const auto add = [&](int i, int j, double value) {
-        if (aggregate[i] < 0 || aggregate[j] < 0) return;
-        const long dc = cell_of[j].column - cell_of[i].column;
-        const long dr = cell_of[j].row - cell_of[i].row;
+        if (cell_[i] < 0 || cell_[j] < 0) return;
+        const Cell& own = list[cell_[i]];
+        const Cell& other = list[cell_[j]];
+        const long dc = other.column - own.column;
+        const long dr = other.row - own.row;
         if (std::abs(dc) > reach || std::abs(dr) > reach) return;
-        stencil[aggregate[i]][(dc + reach) * span + dr + reach] += value;
+        stencil[cell_[i] - sums_[chunk].low][(dc + reach) * span + dr + reach] += value;
     };
-    for (int i = 0; i < n.nodes; ++i) add(i, i, diagonal[i]);
-    for (const PairBlock& block : n.blocks) {
-        for (int slice = 0; slice < slices_per_block; ++slice) {
-            for (int e = block.offset[slice]; e < block.offset[slice + 1]; ++e) {
-                if (block.stiffness[e] == 0.0F) continue;
-                const int i = block.first_row + slice * lanes + (e - block.offset[slice]) % lanes;
-                const int j = block.column[e];
-                add(i, j, -static_cast<double>(block.stiffness[e]));
-                if (j >= n.first_boundary) add(j, i, -static_cast<double>(block.stiffness[e]));
-            }
-        }
+    for_each_node(n, chunk, [&](int i) { add(i, i, fine.diagonal[i]); });
+    const RowChunk& rows = n.chunks.list[chunk];
+    for (int b = rows.first_block; b < rows.last_block; ++b) {
+        const PairBlock& block = n.blocks[b];
+        for_each_pair(block, n, [&](int i, int j, int k) { add(i, j, -static_cast<double>(block.stiffness[k])); });
     }
-    for (int a = 0; a < n.active_count(); ++a) {
-        const int b = n.active[a];
-        for (int k = wall.neighbour_start[b]; k < wall.neighbour_start[b + 1]; ++k) {
-            const auto other = std::lower_bound(n.active.begin(), n.active.end(), wall.neighbour[k]);
-            if (other == n.active.end() || *other != wall.neighbour[k]) continue;
-            add(n.first_boundary + a, n.first_boundary + static_cast<int>(other - n.active.begin()),
-                -wall.neighbour_stiffness[k]);
+    for_each_boundary(n, chunk, [&](int a) {
+        const int node = n.first_boundary + a;
+        for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k)
+            add(node, n.boundary_pairs[k].soil, -static_cast<double>(n.boundary_pairs[k].stiffness));
+        const Wall& wall = fine.wall;
+        for (int k = wall.neighbour_start[n.active[a]]; k < wall.neighbour_start[n.active[a] + 1]; ++k) {
+            const int other = n.node_of_boundary[wall.neighbour[k]];
+            if (other >= 0) add(node, other, -wall.neighbour_stiffness[k]);
         }
-    }
+    });
+}
 
-    f.size = static_cast<int>(cells.size());
+/// The matrix from what the chunks give.
+void CoarseLevel::collect() {
+    const std::vector<Cell>& list = cells_->list;
+    std::vector<Stencil>& whole = cells_->whole;
+    set_all(whole, list.size(), Stencil{});
+    for (int c = 0; c < chunks_; ++c) {
+        for (std::size_t s = 0; s < cells_->stencil[c].size(); ++s) {
+            for (int k = 0; k < span * span; ++k) whole[sums_[c].low + s][k] += cells_->stencil[c][s][k];
+        }
+    }
+    Factor& f = *factor_;
+    f.size = static_cast<int>(list.size());
     f.column_start.assign(1, 0);
     f.row.clear();
     f.value.clear();
     for (int c = 0; c < f.size; ++c) {
         for (int k = 0; k < span * span; ++k) {
-            const double value = stencil[c][k];
-            const Cell other{cells[c].column + k / span - reach, cells[c].row + k % span - reach};
-            if (value == 0.0 || other < cells[c]) continue;
-            const auto at = std::lower_bound(cells.begin(), cells.end(), other);
-            f.row.push_back(static_cast<int>(at - cells.begin()));
+            const double value = whole[c][k];
+            const Cell other{list[c].column + k / span - reach, list[c].row + k % span - reach};
+            if (value == 0.0 || other < list[c]) continue;
+            const auto at = std::lower_bound(list.begin(), list.end(), other);
+            f.row.push_back(static_cast<int>(at - list.begin()));
             f.value.push_back(value);
         }
         f.column_start.push_back(static_cast<int>(f.row.size()));
     }
-    set_all(f.right_hand_side, cells.size(), 0.0);
-    if (f.size > 0) f.factorise();
+    set_all(f.right_hand_side, list.size(), 0.0);
 }
 
-CoarseCorrection CoarseLevel::solve(const std::vector<CellSums>& sums) {
+CoarseCorrection CoarseLevel::solve() {
     Factor& f = *factor_;
     if (f.size == 0) return {};
     std::fill(f.right_hand_side.begin(), f.right_hand_side.end(), 0.0);
-    for (const CellSums& part : sums) {
+    for (int c = 0; c < chunks_; ++c) {
+        const CellSums& part = sums_[c];
         for (std::size_t k = 0; k < part.sum.size(); ++k) f.right_hand_side[part.low + k] += part.sum[k];
     }
     f.solve();

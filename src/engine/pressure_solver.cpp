@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/node_array.h"
 #include "engine/operators.h"
@@ -11,7 +10,6 @@ namespace runout {
 namespace {
 
 constexpr int max_iterations = 1000;
-constexpr double coarse_cell_spacings = 4.0;
 constexpr double coarse_scale = 1.5;  // makes up for the piecewise constant coarse space
 constexpr int steps_per_coarse_build = 15;
 
@@ -24,7 +22,8 @@ PressureSolver::PressureSolver(const Discretisation& discretisation, double grav
       relaxation_time_(discretisation.spacing / std::sqrt(gravity * length)),
       tolerance_(tolerance),
       negligible_(1e-12 * discretisation.lattice_stiffness * discretisation.density * gravity *
-                  discretisation.spacing) {}
+                  discretisation.spacing),
+      coarse_(discretisation.spacing) {}
 
 void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& wall) {
     set_rest(pressure_, soil.count, n.nodes, 0.0);
@@ -65,45 +64,16 @@ void PressureSolver::set_up_boundary(const Neighbours& n, const Wall& wall, int 
 
 /// Anew where the one at hand is worn.
 void PressureSolver::set_up_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall) {
-    set_rest(aggregate_, soil.count, n.nodes, -1);
-    make_room(cell_sums_, n.chunks.count());
-    cell_sums_.resize(n.chunks.count());
     const bool worn = steps_since_build_ >= steps_per_coarse_build ||
                       last_iterations_ > iterations_after_build_ + iterations_after_build_ / 2 + 3;
-    const bool anew = wall_aggregate_.empty() || worn;
-    if (anew) {
-        coarse_.build(n, soil, wall, diagonal_, free_, coarse_cell_spacings * discretisation_.spacing,
-                      aggregate_);
-        std::copy_n(aggregate_.begin(), soil.count, soil.aggregate.begin());
-        wall_aggregate_.assign(wall.boundary_count, -1);
-        for (int a = 0; a < n.active_count(); ++a)
-            wall_aggregate_[n.active[a]] = aggregate_[n.first_boundary + a];
+    const FineLevel fine{n, wall, diagonal_, free_};
+    if (coarse_.empty() || worn) {
+        coarse_.build(fine, soil);
+        steps_since_build_ = 0;
+    } else {
+        coarse_.carry_on(fine, soil);
+        ++steps_since_build_;
     }
-    steps_since_build_ = anew ? 0 : steps_since_build_ + 1;
-    for_each_chunk(n.chunks, [&](int chunk) {
-        if (!anew) {
-            for_each_soil(n, chunk, [&](int i) { aggregate_[i] = free_[i] ? soil.aggregate[i] : -1; });
-            for_each_boundary(n, chunk, [&](int a) {
-                const int node = n.first_boundary + a;
-                aggregate_[node] = free_[node] ? wall_aggregate_[n.active[a]] : -1;
-            });
-        }
-        find_cells(n, chunk);
-    });
-}
-
-/// Which cells the nodes of a chunk are in.
-void PressureSolver::find_cells(const Neighbours& n, int chunk) {
-    int low = std::numeric_limits<int>::max();
-    int high = -1;
-    for_each_node(n, chunk, [&](int i) {
-        if (aggregate_[i] < 0) return;
-        low = std::min(low, aggregate_[i]);
-        high = std::max(high, aggregate_[i]);
-    });
-    CellSums& sums = cell_sums_[chunk];
-    sums.low = high < 0 ? 0 : low;
-    fit(sums.sum, high < 0 ? 0 : high - low + 1);
 }
 
 /// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n, and the residual of p = p^n. Two passes:
@@ -197,7 +167,8 @@ double PressureSolver::multiply_boundary_row(const Neighbours& n, const Wall& wa
 /// Gives each node of a chunk the residual that `renew(i)` returns, and sums it over the coarse cells.
 template <class Function>
 ResidualNorms PressureSolver::renew_residual(const Neighbours& n, int chunk, const Function& renew) {
-    CellSums& cells = cell_sums_[chunk];
+    const std::vector<int>& cell = coarse_.cell();
+    CellSums& cells = coarse_.sums(chunk);
     cells.clear();
     ResidualNorms norms;
     for_each_node(n, chunk, [&](int i) {
@@ -205,7 +176,7 @@ ResidualNorms PressureSolver::renew_residual(const Neighbours& n, int chunk, con
         residual_[i] = r;
         norms.squared += r * r;
         norms.scaled += r * r / diagonal_[i];
-        if (aggregate_[i] >= 0) cells.sum[aggregate_[i] - cells.low] += r;
+        if (cell[i] >= 0) cells.sum[cell[i] - cells.low] += r;
     });
     return norms;
 }
@@ -213,8 +184,9 @@ ResidualNorms PressureSolver::renew_residual(const Neighbours& n, int chunk, con
 /// The next direction in a chunk: z + beta times the last, z = D^-1 r + coarse correction. Soil that sleeps
 /// keeps its 0.
 void PressureSolver::turn(const Neighbours& n, int chunk, double beta, const double* coarse) {
+    const std::vector<int>& cell = coarse_.cell();
     const auto turn_node = [&](int i) {
-        const double added = aggregate_[i] >= 0 ? coarse_scale * coarse[aggregate_[i]] : 0.0;
+        const double added = cell[i] >= 0 ? coarse_scale * coarse[cell[i]] : 0.0;
         direction_[i] = residual_[i] / diagonal_[i] + added + beta * direction_[i];
     };
     for_each_awake(n, chunk, [&](const PairRows& rows, int last) {
@@ -232,7 +204,7 @@ PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall, Res
     const double target = std::max(tolerance_ * norm, negligible_);
     double rz_old = 1.0;
     while (std::sqrt(left.squared) > target && result.iterations < max_iterations) {
-        const CoarseCorrection coarse = coarse_.solve(cell_sums_);
+        const CoarseCorrection coarse = coarse_.solve();
         const double rz = left.scaled + coarse_scale * coarse.product;
         const double beta = result.iterations == 0 ? 0.0 : rz / rz_old;
         for_each_pass(n.chunks, 2, gates_, [&](int pass, int chunk) {

@@ -78,7 +78,7 @@ class PressureSolver {
     }
 
     /// The wall is another one from now on.
-    void forget_wall() { wall_aggregate_.clear(); }
+    void forget_wall() { coarse_.forget_wall(); }
 
     /// On return soil and wall hold the pressure that the next step starts from.
     PressureSolve solve(const Neighbours& n, Soil& soil, Wall& wall, const std::vector<double>& vx,
@@ -91,7 +91,6 @@ class PressureSolver {
     void set_up(const Neighbours& n, const Soil& soil, const Wall& wall);
     void set_up_boundary(const Neighbours& n, const Wall& wall, int a);
     void set_up_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall);
-    void find_cells(const Neighbours& n, int chunk);
     ResidualNorms begin(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
                         const std::vector<double>& vy, const PressureStep& step);
     [[nodiscard]] double boundary_divergence(const Neighbours& n, int a) const;
@@ -115,8 +114,6 @@ class PressureSolver {
     PassGates gates_;
 
     CoarseLevel coarse_;
-    std::vector<int> wall_aggregate_;
-    std::vector<CellSums> cell_sums_;  ///< of the residual, per chunk
     int steps_since_build_ = 0;
     int iterations_after_build_ = 0;
     int last_iterations_ = 0;
@@ -126,7 +123,6 @@ class PressureSolver {
     std::vector<FloatPair> trial_velocity_;        ///< v* under m p^n, m/s
     std::vector<double> pressure_, right_hand_side_, diagonal_, residual_, direction_, product_;
     std::vector<char> free_;
-    std::vector<int> aggregate_;
 
     // Per chunk.
     std::vector<double> partial_;
