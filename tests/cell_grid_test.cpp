@@ -10,6 +10,8 @@
 #include <random>
 #include <vector>
 
+#include "engine/parallel.h"
+
 namespace runout {
 namespace {
 
@@ -32,6 +34,10 @@ Points heap_with_far_grains(unsigned seed, double farthest) {
         points.y.push_back(-std::abs(far(random)));
     }
     return points;
+}
+
+std::vector<int> shares(const Points& points, unsigned threads) {
+    return even_shares(static_cast<int>(points.x.size()), static_cast<int>(threads));
 }
 
 std::vector<int> found_around(const CellGrid& grid, const std::vector<int>& order, double x, double y,
@@ -61,7 +67,7 @@ TEST(CellGridTest, FindsWhatBruteForceFindsAlsoWhenUsedAgain) {
     std::vector<int> order;
     for (unsigned seed = 0; seed < 5; ++seed) {
         const Points points = heap_with_far_grains(seed, seed % 2 == 0 ? 30.0 : 3.0);
-        grid.sort(points.x, points.y, points.x.size(), order);
+        grid.sort(points.x, points.y, shares(points, 1 + seed % 3), order);
         for (std::size_t i = 0; i < points.x.size(); ++i) {
             for (const int reach : {0, 1, 2}) {
                 const double x = points.x[i] + 0.3, y = points.y[i] - 0.2;
@@ -77,7 +83,7 @@ TEST(CellGridTest, ParticlesAreInTheOrderOfColumnsThenRowsThenTheirOwn) {
     CellGrid grid;
     grid.size = 0.25;
     std::vector<int> order;
-    grid.sort(points.x, points.y, points.x.size(), order);
+    grid.sort(points.x, points.y, shares(points, 3), order);
     const auto key = [&](int i) {
         return std::array<long, 3>{grid.column(points.x[i]), grid.row(points.y[i]), i};
     };
@@ -90,21 +96,21 @@ TEST(CellGridTest, FarGrainsAddACellEach) {
     Points points = heap_with_far_grains(3, 1.0);
     CellGrid grid;
     grid.size = 0.25;
-    grid.cover(points.x, points.y, points.x.size());
+    grid.cover(points.x, points.y, shares(points, 2));
     const std::size_t before = grid.start.size();
     for (const double far : {1e4, -2e4, 5e4}) {
         points.x.push_back(far);
         points.y.push_back(-std::abs(far));
     }
-    grid.cover(points.x, points.y, points.x.size());
+    grid.cover(points.x, points.y, shares(points, 2));
     EXPECT_EQ(grid.start.size(), before + 3);
 }
 
 TEST(CellGridTest, WithoutPointsNothingIsFound) {
     CellGrid grid;
     std::vector<int> order;
-    grid.sort({1.0}, {1.0}, 1, order);
-    grid.sort({}, {}, 0, order);
+    grid.sort({1.0}, {1.0}, {0, 1}, order);
+    grid.sort({}, {}, {0, 0}, order);
     EXPECT_TRUE(found_around(grid, order, 1.0, 1.0, 3).empty());
 }
 

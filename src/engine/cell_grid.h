@@ -6,25 +6,56 @@
 
 namespace runout {
 
+/// Columns of cells that hold something, from the lowest cell to the highest.
+class FilledColumns {
+  public:
+    struct Column {
+        long column = 0;  ///< in cells from the origin of the plane
+        long low = 0;     ///< first and last row, likewise
+        long high = 0;
+        std::size_t base = 0;  ///< its first cell
+    };
+
+    /// Empties; columns are to come from `first` to `last`.
+    void open(long first, long last);
+    /// A column holds something in the rows from `low` to `high`.
+    void add(long column, long low, long high) {
+        int& s = slot_[static_cast<std::size_t>(column - first_)];
+        if (s < 0) {
+            s = static_cast<int>(filled_.size());
+            filled_.push_back({column, low, high});
+        }
+        Column& c = filled_[static_cast<std::size_t>(s)];
+        c.low = std::min(c.low, low);
+        c.high = std::max(c.high, high);
+    }
+    /// From left to right. Returns the number of cells.
+    std::size_t order();
+
+    [[nodiscard]] const std::vector<Column>& filled() const { return filled_; }
+    [[nodiscard]] long first() const { return first_; }
+    [[nodiscard]] long last() const { return last_; }
+    /// Null where the column, from first() to last(), holds nothing.
+    [[nodiscard]] const Column* find(long column) const {
+        const int s = slot_[static_cast<std::size_t>(column - first_)];
+        return s < 0 ? nullptr : &filled_[static_cast<std::size_t>(s)];
+    }
+
+  private:
+    long first_ = 0;
+    long last_ = -1;
+    std::vector<Column> filled_;
+    std::vector<int> slot_;  ///< per column from first() on: which of `filled`; -1: holds nothing
+};
+
 /// Square cells over points of the plane. Cells of one column are contiguous, so that three neighbouring
 /// cells of a column are one range of particles. There are cells only where a column holds something, from
 /// its lowest point to its highest: a single grain may have flown a thousand times as far as the soil is
 /// long.
 struct CellGrid {
-    /// A column that holds something.
-    struct Column {
-        int place = 0;  ///< in the window
-        long low = 0;   ///< first and last row, in cells from the origin of the plane
-        long high = 0;
-        std::size_t base = 0;  ///< its first cell
-    };
-
-    double size = 1;             ///< edge of a cell, m
-    long column0 = 0;            ///< first column of the window, in cells from the origin of the plane
-    int columns = 0;             ///< of the window
-    std::vector<Column> filled;  ///< from left to right
-    std::vector<int> slot;       ///< per column of the window: which of `filled`; -1: holds nothing
-    std::vector<int> start;      ///< particles of cell c: [start[c], start[c+1])
+    double size = 1;  ///< edge of a cell, m
+    FilledColumns columns;
+    std::vector<int> start;  ///< particles of cell c: [start[c], start[c+1])
 
     /// Where a point stands, in cells from the origin of the plane.
     struct Place {
@@ -42,13 +73,13 @@ struct CellGrid {
         return towards_zero - (static_cast<double>(towards_zero) > value ? 1 : 0);
     }
 
-    /// Makes cells for the given points, empty, and says in `cell_of` which each belongs to.
-    void cover(const std::vector<double>& x, const std::vector<double>& y, std::size_t count,
-               int threads = 1);
+    /// Makes cells for the given points, empty, and says in `cell_of` which each belongs to, each thread for
+    /// its share of the points (see even_shares).
+    void cover(const std::vector<double>& x, const std::vector<double>& y, const std::vector<int>& shares);
 
     /// Stable counting sort: fills `start`, and `order` with particle indices cell by cell.
-    void sort(const std::vector<double>& x, const std::vector<double>& y, std::size_t count,
-              std::vector<int>& order, int threads = 1);
+    void sort(const std::vector<double>& x, const std::vector<double>& y, const std::vector<int>& shares,
+              std::vector<int>& order);
 
     /// Cells from column to column and row to row, both included, in cells from the origin of the plane.
     struct Window {
@@ -62,17 +93,16 @@ struct CellGrid {
     /// cells of a window.
     template <class Function>
     void cells_around(const Window& window, int reach, const Function& f) const {
-        const long left = std::max(window.first_column - column0 - reach, 0L);
-        const long right = std::min(window.last_column - column0 + reach, static_cast<long>(columns) - 1);
+        const long left = std::max(window.first_column - reach, columns.first());
+        const long right = std::min(window.last_column + reach, columns.last());
         for (long c = left; c <= right; ++c) {
-            const int s = slot[static_cast<std::size_t>(c)];
-            if (s < 0) continue;
-            const Column& column = filled[static_cast<std::size_t>(s)];
-            const long low = std::max(window.first_row - reach, column.low);
-            const long high = std::min(window.last_row + reach, column.high);
+            const FilledColumns::Column* column = columns.find(c);
+            if (column == nullptr) continue;
+            const long low = std::max(window.first_row - reach, column->low);
+            const long high = std::min(window.last_row + reach, column->high);
             if (low > high) continue;
-            f(column.base + static_cast<std::size_t>(low - column.low),
-              column.base + static_cast<std::size_t>(high - column.low));
+            f(column->base + static_cast<std::size_t>(low - column->low),
+              column->base + static_cast<std::size_t>(high - column->low));
         }
     }
 
@@ -92,7 +122,19 @@ struct CellGrid {
     }
 
   private:
-    void find_columns();
+    /// What the points of one share hold.
+    struct Part {
+        FilledColumns columns;
+        std::size_t low = 0;      ///< lowest cell
+        std::vector<int> cursor;  ///< per cell from `low` on: points, then the place of the next in the order
+    };
+    void find_columns(const std::vector<double>& x, const std::vector<double>& y,
+                      const std::vector<int>& shares);
+    void count_points(Part& part, int first, int last) const;
+    void place_cells(std::size_t shares);
+
+    std::vector<Part> parts_;
+    std::vector<int> next_;
 };
 
 }  // namespace runout

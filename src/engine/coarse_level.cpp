@@ -100,7 +100,9 @@ struct CoarseLevel::Factor {
 };
 
 CoarseLevel::CoarseLevel(double spacing)
-    : size_(cell_spacings * spacing), cells_(std::make_unique<Cells>()), factor_(std::make_unique<Factor>()) {}
+    : size_(cell_spacings * spacing),
+      cells_(std::make_unique<Cells>()),
+      factor_(std::make_unique<Factor>()) {}
 CoarseLevel::~CoarseLevel() = default;
 
 /// Of chunks that there are no longer the memory is kept.
@@ -173,8 +175,7 @@ void CoarseLevel::place_nodes(const FineLevel& fine, Soil& soil) {
             cell_[i] = fine.free[i] ? static_cast<int>(at - cells.list.begin()) : -1;
         });
         for_each_soil(n, chunk, [&](int i) { soil.aggregate[i] = cell_[i]; });
-        for_each_boundary(n, chunk,
-                          [&](int a) { wall_cell_[n.active[a]] = cell_[n.first_boundary + a]; });
+        for_each_boundary(n, chunk, [&](int a) { wall_cell_[n.active[a]] = cell_[n.first_boundary + a]; });
     });
 }
 
@@ -210,7 +211,8 @@ void CoarseLevel::assemble(const FineLevel& fine, int chunk) {
     const RowChunk& rows = n.chunks.list[chunk];
     for (int b = rows.first_block; b < rows.last_block; ++b) {
         const PairBlock& block = n.blocks[b];
-        for_each_pair(block, n, [&](int i, int j, int k) { add(i, j, -static_cast<double>(block.stiffness[k])); });
+        for_each_pair(block, n,
+                      [&](int i, int j, int k) { add(i, j, -static_cast<double>(block.stiffness[k])); });
     }
     for_each_boundary(n, chunk, [&](int a) {
         const int node = n.first_boundary + a;

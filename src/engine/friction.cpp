@@ -17,10 +17,7 @@ constexpr double first_momentum_term = 4.0;  // t of Nesterov's sequence: 1, 1.6
 
 Friction::Friction(const Discretisation& discretisation, YieldStrength yield, FrictionScheme scheme,
                    int iterations)
-    : discretisation_(discretisation),
-      yield_(std::move(yield)),
-      scheme_(scheme),
-      iterations_(iterations) {}
+    : discretisation_(discretisation), yield_(std::move(yield)), scheme_(scheme), iterations_(iterations) {}
 
 void Friction::load(const Neighbours& n, const Soil& soil, const Wall& wall) {
     for (auto* field : {&pressure_x_, &pressure_y_}) fit(*field, n.nodes);
@@ -239,11 +236,9 @@ void Friction::iterate(const Neighbours& n, const Soil& soil, const FrictionStep
                        [&](const PairRows& rows, int last) { trial_velocity(rows, last, step.dt); });
     };
     const auto project_stress = [&](int chunk, double momentum) {
-        for_each_awake(n, chunk,
-                       [&](const PairRows& rows, int) { project(rows, n, stress_step, momentum); });
-        for_each_boundary(n, chunk, [&](int a) {
-            project_boundary(n, a, stress_step, static_cast<float>(momentum));
-        });
+        for_each_awake(n, chunk, [&](const PairRows& rows, int) { project(rows, n, stress_step, momentum); });
+        for_each_boundary(n, chunk,
+                          [&](int a) { project_boundary(n, a, stress_step, static_cast<float>(momentum)); });
     };
     for_each_pass(n.chunks, final_pass + 1, gates_, [&](int pass, int chunk) {
         if (pass == 0) return start(chunk);

@@ -36,7 +36,8 @@ struct FrictionStep {
 class Friction {
   public:
     /// `iterations`: of a step that does not say how many.
-    Friction(const Discretisation& discretisation, YieldStrength yield, FrictionScheme scheme, int iterations);
+    Friction(const Discretisation& discretisation, YieldStrength yield, FrictionScheme scheme,
+             int iterations);
 
     /// Predictor, eq. 3. On return soil and wall hold the new stress, and `vx`, `vy` (per node) the
     /// velocity v* under gravity and friction, without pressure. The pressure is the one the last solve left.

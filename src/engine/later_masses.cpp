@@ -36,7 +36,7 @@ std::vector<Vec2> place_mass(const LaterMass& mass, const Soil& soil, double spa
     CellGrid grid;
     grid.size = spacing;
     std::vector<int> order;
-    grid.sort(soil.x, soil.y, static_cast<std::size_t>(soil.count), order);
+    grid.sort(soil.x, soil.y, {0, soil.count}, order);
     while (overlaps(points, soil, grid, order, least_distance * spacing))
         for (Vec2& p : points) p.y() += spacing;
     return points;

@@ -116,7 +116,7 @@ void permute(const std::array<std::vector<T>*, fields>& values, const std::vecto
     static_assert(fields % at_once == 0);
     for (auto& room : scratch) fit(room, order.size());
     for (std::size_t begin = 0; begin < fields; begin += at_once) {
-        for_each_share(shares, [&](int first, int last) {
+        for_each_share(shares, [&](int, int first, int last) {
             for (std::size_t k = 0; k < at_once; ++k)
                 for (int i = first; i < last; ++i) scratch[k][i] = (*values[begin + k])[order[i]];
         });
@@ -135,32 +135,29 @@ NeighbourSearch::NeighbourSearch(const Discretisation& discretisation, int threa
 }
 
 void NeighbourSearch::sort(Soil& soil) {
-    grid_.sort(soil.x, soil.y, soil.count, order_, threads_);
+    if (share_rows_.empty() || share_rows_.back() != soil.padded())
+        share_rows_ = even_shares(soil.padded(), threads_);
+    share_points_ = share_rows_;
+    for (int& point : share_points_) point = std::min(point, soil.count);
+    grid_.sort(soil.x, soil.y, share_points_, order_);
     for (int i = soil.count; i < soil.padded(); ++i) order_.push_back(i);
-    share_out(soil.padded());
-    fit(share_rows_, share_blocks_.size());
-    for (std::size_t t = 0; t < share_rows_.size(); ++t)
-        share_rows_[t] = std::min(share_blocks_[t] * rows_per_block, soil.padded());
     permute(std::array{&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy,
                        &soil.contact_x, &soil.contact_y},
             order_, share_rows_, scratch_);
     permute(std::array{&soil.id, &soil.aggregate}, order_, share_rows_, name_scratch_);
 }
 
-/// Each thread finds the blocks that it worked on in the last step; the same number where there was none.
-void NeighbourSearch::share_out(int rows) {
-    const int blocks = (rows + rows_per_block - 1) / rows_per_block;
-    if (!share_blocks_.empty() && share_blocks_.back() == blocks) return;
-    fit(share_blocks_, threads_ + 1);
-    for (int t = 0; t <= threads_; ++t) share_blocks_[t] = t * blocks / threads_;
-}
-
-/// As the chunks are.
+/// Each thread goes on with the rows that it works on.
 void NeighbourSearch::keep_shares(const Neighbours& n) {
-    fit(share_blocks_, n.chunks.shares() + 1);
-    for (int t = 0; t < n.chunks.shares(); ++t)
-        share_blocks_[t] = n.chunks.list[n.chunks.share_start[t]].first_block;
+    const RowChunks& chunks = n.chunks;
+    fit(share_blocks_, chunks.shares() + 1);
+    fit(share_rows_, chunks.shares() + 1);
+    for (int t = 0; t < chunks.shares(); ++t) {
+        share_blocks_[t] = chunks.list[chunks.share_start[t]].first_block;
+        share_rows_[t] = share_blocks_[t] * rows_per_block;
+    }
     share_blocks_.back() = static_cast<int>(n.blocks.size());
+    share_rows_.back() = n.first_boundary;
 }
 
 void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
@@ -172,9 +169,11 @@ void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
     set_rest(n.nearest_boundary, soil.count, soil.padded(), -1);
     fit(n.company, soil.padded());
     for (auto& component : n.correction) set_rest(component, soil.count, soil.padded(), 0.0F);
-    share_out(soil.padded());
-    n.blocks.resize(share_blocks_.back());
-    for_each_share(share_blocks_, [&](int first, int last) {
+    const int blocks = (soil.padded() + rows_per_block - 1) / rows_per_block;
+    n.blocks.resize(blocks);
+    if (share_blocks_.empty() || share_blocks_.back() != blocks)
+        share_blocks_ = even_shares(blocks, threads_);
+    for_each_share(share_blocks_, [&](int, int first, int last) {
         for (int b = first; b < last; ++b) find_block(soil, wall, n, b);
     });
     number_boundary(soil, wall, n);
@@ -279,7 +278,7 @@ void NeighbourSearch::number_boundary(const Soil& soil, const Wall& wall, Neighb
     for (int a = 0; a < n.active_count(); ++a) n.node_of_boundary[n.active[a]] = n.first_boundary + a;
     std::erase_if(n.left, [&](int b) { return n.node_of_boundary[b] >= 0; });
     n.nodes = soil.padded() + n.active_count();
-    for_each_share(share_blocks_, [&](int first, int last) {
+    for_each_share(share_blocks_, [&](int, int first, int last) {
         for (int b = first; b < last; ++b) {
             PairBlock& block = n.blocks[b];
             for (const WallPair& pair : block.wall_pairs)

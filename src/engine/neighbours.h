@@ -59,10 +59,10 @@ struct Neighbours {
     int nodes = 0;
     std::vector<PairBlock> blocks;
 
-    std::vector<int> active;          ///< wall index of each active boundary particle, ascending
-    std::vector<int> left;            ///< boundary particles that were active last time and are no longer
+    std::vector<int> active;            ///< wall index of each active boundary particle, ascending
+    std::vector<int> left;              ///< boundary particles that were active last time and are no longer
     std::vector<int> node_of_boundary;  ///< per boundary particle of the wall; -1: not active
-    std::vector<int> boundary_start;  ///< compressed rows over `active`
+    std::vector<int> boundary_start;    ///< compressed rows over `active`
     std::vector<BoundaryPair> boundary_pairs;
     std::vector<int> boundary_soil;  ///< soil particles within the boundary particle's own support
 
@@ -103,7 +103,6 @@ class NeighbourSearch {
     void find(const Soil& soil, const Wall& wall, Neighbours& neighbours);
 
   private:
-    void share_out(int rows);
     void keep_shares(const Neighbours& n);
     void find_block(const Soil& soil, const Wall& wall, Neighbours& n, int block) const;
     void fade_lone_grains(Neighbours& n, int first_row, const SliceSums& soil,
@@ -121,8 +120,9 @@ class NeighbourSearch {
     std::vector<int> order_;
     std::array<std::vector<double>, 3> scratch_;
     std::array<std::vector<int>, 2> name_scratch_;
-    std::vector<int> share_blocks_;  ///< the first block of each thread's share, and one past the last of all
-    std::vector<int> share_rows_;    ///< the same in rows
+    // Shares of the threads, see even_shares.
+    std::vector<int> share_blocks_;
+    std::vector<int> share_rows_, share_points_;  ///< with and without the padding
     std::vector<double> moment_;
     std::vector<int> cursor_;
     RowCutter cutter_;

@@ -17,12 +17,19 @@ void for_each_block(int count, int threads, const Function& f) {
     for (int i = 0; i < count; ++i) f(i);
 }
 
-/// Calls f(first, last) for each thread's share of a range, which begins at start[t] and ends where the next
-/// begins.
+/// Where each thread's share of a range begins, and one past the end of the last: the same number each.
+inline std::vector<int> even_shares(int size, int threads) {
+    std::vector<int> start;
+    for (int t = 0; t <= threads; ++t)
+        start.push_back(static_cast<int>(static_cast<long>(size) * t / threads));
+    return start;
+}
+
+/// Calls f(t, first, last) for each thread's share t of a range, see even_shares.
 template <class Function>
 void for_each_share(const std::vector<int>& start, const Function& f) {
     const int shares = static_cast<int>(start.size()) - 1;
-    for_each_block(shares, shares, [&](int t) { f(start[t], start[t + 1]); });
+    for_each_block(shares, shares, [&](int t) { f(t, start[t], start[t + 1]); });
 }
 
 /// Numbers that one thread works on at a time.

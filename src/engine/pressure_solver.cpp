@@ -241,8 +241,7 @@ double PressureSolver::hand_over(const Neighbours& n, double renewal, Soil& soil
             settle(soil.pressure[i], i);
             highest = std::max(highest, pressure_[i]);
         });
-        for_each_boundary(n, chunk,
-                          [&](int a) { settle(wall.pressure[n.active[a]], n.first_boundary + a); });
+        for_each_boundary(n, chunk, [&](int a) { settle(wall.pressure[n.active[a]], n.first_boundary + a); });
         return highest;
     });
 }

@@ -42,11 +42,11 @@ class RowCutter {
     [[nodiscard]] bool reaches_too_far() const;
     void list_chunks(const Neighbours& n, RowChunks& chunks);
 
-    std::vector<int> beside_;     ///< per active boundary particle: the block in the middle of its soil
-    std::vector<int> reach_;      ///< per block: the last that is to be in its chunk or the next
-    std::vector<long> work_;      ///< pairs of all blocks before this one
-    std::vector<int> start_;      ///< first block of each chunk
-    std::vector<int> chunk_of_;   ///< per block
+    std::vector<int> beside_;    ///< per active boundary particle: the block in the middle of its soil
+    std::vector<int> reach_;     ///< per block: the last that is to be in its chunk or the next
+    std::vector<long> work_;     ///< pairs of all blocks before this one
+    std::vector<int> start_;     ///< first block of each chunk
+    std::vector<int> chunk_of_;  ///< per block
     std::vector<int> cursor_;
 };
 

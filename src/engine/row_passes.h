@@ -102,11 +102,12 @@ class PassGates {
     void open_last(int share, int passes) { gates_[share].last.store(passes, std::memory_order_release); }
 
   private:
-    struct alignas(64) Gate {  // a cache line of its own
+    struct alignas(64) Gate {                // a cache line of its own
         std::atomic<int> first{0}, last{0};  ///< passes done
     };
     static void await(const std::atomic<int>& done, int passes) {
-        constexpr int patience = 10000;  // turns; where there are fewer cores than threads, the other must run
+        constexpr int patience =
+            10000;  // turns; where there are fewer cores than threads, the other must run
         for (int turn = 0; done.load(std::memory_order_acquire) < passes; ++turn)
             if (turn > patience) std::this_thread::yield();
     }
@@ -114,8 +115,9 @@ class PassGates {
 };
 
 /// Runs the passes of one share, chunk by chunk: pass p of a chunk follows pass p - 1 of the next, so that
-/// the pairs of a chunk are still in the cache when the next pass comes to it (temporal blocking). Shares that
-/// follow each other begin where they touch, or end there: so each has long done what the other waits for.
+/// the pairs of a chunk are still in the cache when the next pass comes to it (temporal blocking). Shares
+/// that follow each other begin where they touch, or end there: so each has long done what the other waits
+/// for.
 template <class Work>
 void run_share(const RowChunks& chunks, int share, int passes, PassGates& gates, const Work& work) {
     const int first = chunks.share_start[share];
@@ -134,9 +136,9 @@ void run_share(const RowChunks& chunks, int share, int passes, PassGates& gates,
     }
 }
 
-/// Runs `passes` passes over all chunks: work(pass, chunk), each thread its share. In a pass, a chunk may read
-/// of itself and of the two beside it what earlier passes wrote, and write only what is its own and no other
-/// reads in the same pass. The result is that of one pass after the other.
+/// Runs `passes` passes over all chunks: work(pass, chunk), each thread its share. In a pass, a chunk may
+/// read of itself and of the two beside it what earlier passes wrote, and write only what is its own and no
+/// other reads in the same pass. The result is that of one pass after the other.
 template <class Work>
 void for_each_pass(const RowChunks& chunks, int passes, PassGates& gates, const Work& work) {
     const int shares = chunks.shares();

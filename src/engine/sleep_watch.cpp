@@ -50,7 +50,8 @@ void SleepWatch::append(const Soil& soil) {
 /// Where anything moved by more than `motion` spacings, or its load changed by more than `load`, since the
 /// window opened.
 void SleepWatch::find_restless(const Soil& soil, double motion, double load) {
-    grid_.cover(soil.x, soil.y, static_cast<std::size_t>(soil.count), threads_);
+    if (shares_.empty() || shares_.back() != soil.count) shares_ = even_shares(soil.count, threads_);
+    grid_.cover(soil.x, soil.y, shares_);
     set_all(restless_, grid_.start.size(), char{0});
     fit(is_restless_, static_cast<std::size_t>(soil.count));
     const double far2 = motion * motion * spacing_ * spacing_;

@@ -67,6 +67,7 @@ class SleepWatch {
     double opened_ = 0;
     int sleepers_ = 0;
     std::vector<Mark> mark_;
+    std::vector<int> shares_;  ///< of the threads, see even_shares
     CellGrid grid_;
     std::vector<char> is_restless_;  ///< per particle
     std::vector<char> restless_;     ///< per cell: something in it is, until it has been spread

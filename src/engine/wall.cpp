@@ -111,7 +111,7 @@ void tie_dummies(Wall& wall, double reach) {
     CellGrid grid;
     grid.size = reach;
     std::vector<int> order;
-    grid.sort(wall.x, wall.y, static_cast<std::size_t>(wall.boundary_count), order);
+    grid.sort(wall.x, wall.y, {0, wall.boundary_count}, order);
     wall.group.resize(wall.x.size());
     for (int q = 0; q < wall.size(); ++q) {
         wall.group[q] =
@@ -158,7 +158,7 @@ Wall make_wall(const BedLine& bed, const Discretisation& d) {
     place_particles(wall, bed, d.spacing);
     tie_dummies(wall, 2.0 * wall_layers * d.spacing);
     wall.grid.size = WendlandKernel(d.smoothing_length).support();
-    wall.grid.sort(wall.x, wall.y, wall.x.size(), wall.order);
+    wall.grid.sort(wall.x, wall.y, {0, wall.size()}, wall.order);
     for (const int q : wall.order) {
         wall.ordered_x.push_back(wall.x[q]);
         wall.ordered_y.push_back(wall.y[q]);

@@ -48,7 +48,7 @@ std::vector<char> connected_body(const StateView& state) {
     CellGrid grid;
     grid.size = link;
     std::vector<int> order;
-    grid.sort(x, y, count, order);
+    grid.sort(x, y, {0, count}, order);
     std::vector<int> parent(count);
     std::iota(parent.begin(), parent.end(), 0);
     for (int i = 0; i < count; ++i) {
