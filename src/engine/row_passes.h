@@ -66,12 +66,20 @@ void for_each_velocity_gradient(const Neighbours& n, int chunk, const FloatPair*
 /// Calls f(c) for each chunk, each thread its share.
 template <class Function>
 void for_each_chunk(const RowChunks& chunks, const Function& f) {
-    for_each_block(chunks.shares(), chunks.shares(), [&](int share) {
+    on_threads(chunks.shares(), [&](int share) {
         for (int c = chunks.share_start[share]; c < chunks.share_start[share + 1]; ++c) f(c);
     });
 }
 
-/// Sum of f(c) over the chunks, added in order; see sum_blocks.
+/// The terms of the chunks, added in order: the same to the last bit for any number of threads.
+template <class Term>
+Term sum_of(const std::vector<Term>& terms) {
+    Term sum{};
+    for (const Term& term : terms) sum += term;
+    return sum;
+}
+
+/// Sum of f(c) over the chunks, see sum_of. `partial` is scratch that keeps its memory from call to call.
 template <class Term, class Function>
 Term sum_chunks(const RowChunks& chunks, std::vector<Term>& partial, const Function& f) {
     fit(partial, chunks.count());

@@ -55,7 +55,7 @@ void SleepWatch::find_restless(const Soil& soil, double motion, double load) {
     set_all(restless_, grid_.start.size(), char{0});
     fit(is_restless_, static_cast<std::size_t>(soil.count));
     const double far2 = motion * motion * spacing_ * spacing_;
-    for_each_piece(soil.count, threads_, [&](int first, int last) {
+    for_each_share(shares_, [&](int, int first, int last) {
         for (int i = first; i < last; ++i) {
             const Mark& mark = mark_[soil.id[i]];
             const double changed = std::abs(soil.pressure[i] - mark.pressure);
