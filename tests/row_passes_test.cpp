@@ -135,11 +135,18 @@ void expect_the_same_as_pass_by_pass(Filled f, int threads) {
         for (int a = 0; a < n.active_count(); ++a) expected.update_boundary(n, pass, a);
     }
     Fields found(n);
-    PassGates gates;
-    for_each_pass(n.chunks, passes, gates, [&](int pass, int chunk) {
+    TeamSignals signals;
+    const auto work = [&](int pass, int chunk) {
         for_each_awake(n, chunk,
                        [&](const PairRows& rows, int last) { found.update_rows(pass, rows, last); });
         for_each_boundary(n, chunk, [&](int a) { found.update_boundary(n, pass, a); });
+    };
+    int met = 0;
+    with_team(n.chunks, signals, [&](TeamMember& member) {
+        member.for_each_pass(3, work);
+        member.meet([&] { ++met; });
+        EXPECT_EQ(met, 1);
+        member.for_each_pass(passes - 3, [&](int pass, int chunk) { work(3 + pass, chunk); });
     });
     EXPECT_EQ(found.even, expected.even);
     EXPECT_EQ(found.odd, expected.odd);

@@ -19,34 +19,36 @@ Friction::Friction(const Discretisation& discretisation, YieldStrength yield, Fr
                    int iterations)
     : discretisation_(discretisation), yield_(std::move(yield)), scheme_(scheme), iterations_(iterations) {}
 
-void Friction::load(const Neighbours& n, const Soil& soil, const Wall& wall) {
+void Friction::make_room(const Neighbours& n) {
     for (auto* field : {&pressure_x_, &pressure_y_}) fit(*field, n.nodes);
     for (auto* field : {&base_velocity_, &force_}) fit(*field, n.nodes);
-    for (auto* field : {&stress_, &ahead_, &velocity_}) set_rest(*field, soil.count, n.nodes, FloatPair{});
-    set_rest(pressure_, soil.count, n.nodes, 0.0);
-    set_rest(strength_, soil.count, n.nodes, 0.0F);
+    for (auto* field : {&stress_, &ahead_, &velocity_}) set_rest(*field, n.soil_count, n.nodes, FloatPair{});
+    set_rest(pressure_, n.soil_count, n.nodes, 0.0);
+    set_rest(strength_, n.soil_count, n.nodes, 0.0F);
     if (yield_.depends_on_rate()) fit(strain_rate_, n.nodes);
     if (yield_.cohesive())
         for (int c = 0; c < 4; ++c) set_all(no_correction_[c], n.nodes, c == 0 || c == 3 ? 1.0F : 0.0F);
-    for_each_chunk(n.chunks, [&](int chunk) {
-        for_each_soil(n, chunk, [&](int i) {
-            pressure_[i] = soil.pressure[i];
-            stress_[i] = {static_cast<float>(soil.sxx[i]), static_cast<float>(soil.sxy[i])};
-            ahead_[i] = stress_[i];
-            velocity_[i] = {static_cast<float>(soil.vx[i]), static_cast<float>(soil.vy[i])};
-        });
-        for_each_boundary(n, chunk, [&](int a) {
-            const int node = n.first_boundary + a;
-            const int b = n.active[a];
-            pressure_[node] = wall.pressure[b];
-            stress_[node] = {static_cast<float>(wall.sxx[b]), static_cast<float>(wall.sxy[b])};
-            ahead_[node] = stress_[node];
-        });
+}
+
+void Friction::load(const Neighbours& n, int chunk, const Soil& soil, const Wall& wall) {
+    for_each_soil(n, chunk, [&](int i) {
+        pressure_[i] = soil.pressure[i];
+        stress_[i] = {static_cast<float>(soil.sxx[i]), static_cast<float>(soil.sxy[i])};
+        ahead_[i] = stress_[i];
+        velocity_[i] = {static_cast<float>(soil.vx[i]), static_cast<float>(soil.vy[i])};
+    });
+    for_each_boundary(n, chunk, [&](int a) {
+        const int node = n.first_boundary + a;
+        const int b = n.active[a];
+        pressure_[node] = wall.pressure[b];
+        stress_[node] = {static_cast<float>(wall.sxx[b]), static_cast<float>(wall.sxy[b])};
+        ahead_[node] = stress_[node];
     });
 }
 
 /// |e| of the velocity at the start of the step. A boundary particle has the mean rate of the soil on it.
-void Friction::find_strain_rate(const Neighbours& n, const Soil& soil, const Wall& wall, const BedLine& bed) {
+void Friction::find_strain_rate(TeamMember& member, const Neighbours& n, const Soil& soil, const Wall& wall,
+                                const BedLine& bed) {
     const auto of_soil = [&](const PairBlock& block, int i, const VelocityGradient& plain) {
         VelocityGradient g = plain;
         if (n.nearest_boundary[i] >= 0) {
@@ -66,7 +68,7 @@ void Friction::find_strain_rate(const Neighbours& n, const Soil& soil, const Wal
         }
         strain_rate_[n.first_boundary + a] = weight > 0.0 ? sum / weight : 0.0;
     };
-    for_each_pass(n.chunks, 2, gates_, [&](int pass, int chunk) {
+    member.for_each_pass(2, [&](int pass, int chunk) {
         if (pass == 1) return for_each_boundary(n, chunk, of_boundary);
         for_each_velocity_gradient(n, chunk, velocity_.data(), of_soil);
     });
@@ -198,33 +200,32 @@ void Friction::set_momenta(int iterations) {
 
 void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const FrictionStep& step,
                        std::vector<double>& vx, std::vector<double>& vy) {
-    load(n, soil, wall);
-    if (yield_.depends_on_rate()) find_strain_rate(n, soil, wall, *step.bed);
+    make_room(n);
     for (auto* field : {&vx, &vy}) set_beyond_awake(n, *field, 0.0);
+    set_momenta(step.iterations > 0 ? step.iterations : iterations_);
     const auto finish = [&](int chunk) {
         for_each_awake(n, chunk, [&](const PairRows& rows, int last) {
             final_velocity(rows, last, soil, step, vx, vy);
         });
         save(n, chunk, soil, wall);
     };
-    if (scheme_ == FrictionScheme::explicit_) {
-        for_each_pass(n.chunks, 2, gates_, [&](int pass, int chunk) {
+    with_team(n.chunks, signals_, [&](TeamMember& member) {
+        member.for_each_pass(1, [&](int, int chunk) { load(n, chunk, soil, wall); });
+        if (yield_.depends_on_rate()) find_strain_rate(member, n, soil, wall, *step.bed);
+        if (scheme_ == FrictionScheme::projected) return iterate(member, n, soil, step, finish);
+        member.for_each_pass(2, [&](int pass, int chunk) {
             if (pass == 1) return finish(chunk);
             find_strength(n, chunk, step.pore_pressure);
             yield_from_strain_rate(n, chunk);
         });
-    } else {
-        iterate(n, soil, step, finish);
-    }
+    });
 }
 
 /// Passes: the start, then for each iteration a trial velocity and a projection, then the end.
 template <class Finish>
-void Friction::iterate(const Neighbours& n, const Soil& soil, const FrictionStep& step,
+void Friction::iterate(TeamMember& member, const Neighbours& n, const Soil& soil, const FrictionStep& step,
                        const Finish& finish) {
-    const int iterations = step.iterations > 0 ? step.iterations : iterations_;
-    set_momenta(iterations);
-    const int final_pass = 2 * iterations + 1;
+    const int final_pass = 2 * static_cast<int>(momenta_.size()) + 1;
     const double stress_step = 0.5 * discretisation_.density * discretisation_.volume() / step.dt;
     const auto start = [&](int chunk) {
         find_strength(n, chunk, step.pore_pressure);
@@ -240,7 +241,7 @@ void Friction::iterate(const Neighbours& n, const Soil& soil, const FrictionStep
         for_each_boundary(n, chunk,
                           [&](int a) { project_boundary(n, a, stress_step, static_cast<float>(momentum)); });
     };
-    for_each_pass(n.chunks, final_pass + 1, gates_, [&](int pass, int chunk) {
+    member.for_each_pass(final_pass + 1, [&](int pass, int chunk) {
         if (pass == 0) return start(chunk);
         if (pass == final_pass) return finish(chunk);
         if (pass % 2 == 1) return try_velocity(chunk);

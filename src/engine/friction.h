@@ -49,13 +49,16 @@ class Friction {
     void set_yield(YieldStrength yield) { yield_ = std::move(yield); }
 
   private:
-    void load(const Neighbours& n, const Soil& soil, const Wall& wall);
-    void find_strain_rate(const Neighbours& n, const Soil& soil, const Wall& wall, const BedLine& bed);
+    void make_room(const Neighbours& n);
+    void load(const Neighbours& n, int chunk, const Soil& soil, const Wall& wall);
+    void find_strain_rate(TeamMember& member, const Neighbours& n, const Soil& soil, const Wall& wall,
+                          const BedLine& bed);
     void find_strength(const Neighbours& n, int chunk, const std::vector<double>* pore_pressure);
     void save(const Neighbours& n, int chunk, Soil& soil, Wall& wall) const;
     void set_momenta(int iterations);
     template <class Finish>
-    void iterate(const Neighbours& n, const Soil& soil, const FrictionStep& step, const Finish& finish);
+    void iterate(TeamMember& member, const Neighbours& n, const Soil& soil, const FrictionStep& step,
+                 const Finish& finish);
     void start_rows(const PairRows& rows, int last, const Neighbours& n, const Soil& soil,
                     const FrictionStep& step);
     void trial_velocity(const PairRows& rows, int last, double dt);
@@ -70,7 +73,7 @@ class Friction {
     YieldStrength yield_;
     FrictionScheme scheme_;
     int iterations_;
-    PassGates gates_;
+    TeamSignals signals_;
     std::vector<double> momenta_;  ///< of each iteration
 
     // Node arrays, see Neighbours. What is iterated on is in single precision, see PairKernels.

@@ -76,14 +76,20 @@ void PressureSolver::set_up_coarse_level(const Neighbours& n, Soil& soil, const 
     }
 }
 
-/// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n, and the residual of p = p^n. Two passes:
-/// A p^n and trial velocity, then its divergence.
-ResidualNorms PressureSolver::begin(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
-                                    const std::vector<double>& vy, const PressureStep& step) {
+void PressureSolver::make_room(const Neighbours& n) {
     for (auto* field : {&gradient_x_, &gradient_y_}) fit(*field, n.nodes);
     for (auto* field : {&residual_, &direction_}) set_rest(*field, n.soil_count, n.nodes, 0.0);
     set_beyond_awake(n, trial_velocity_, FloatPair{});
     for (auto* field : {&right_hand_side_, &product_}) set_beyond_awake(n, *field, 0.0);
+    fit(partial_, n.chunks.count());
+    fit(partial_norms_, n.chunks.count());
+}
+
+/// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n, and the residual of p = p^n. Two passes:
+/// A p^n and trial velocity, then its divergence.
+void PressureSolver::begin(TeamMember& member, const Neighbours& n, const Wall& wall,
+                           const std::vector<double>& vx, const std::vector<double>& vy,
+                           const PressureStep& step) {
     const double dt = step.dt;
     const double scale = step.memory * dt / discretisation_.density;
     const double rate = step.correct_density ? 1.0 / std::max(relaxation_time_, 10.0 * dt) : 0.0;
@@ -102,8 +108,7 @@ ResidualNorms PressureSolver::begin(const Neighbours& n, const Wall& wall, const
         pair_kernels().velocity_divergence(rows, trial_velocity_.data(), right_hand_side_.data());
         for (int i = rows.first_row; i < last; ++i) right_hand_side_[i] = combine(i, right_hand_side_[i]);
     };
-    fit(partial_norms_, n.chunks.count());
-    for_each_pass(n.chunks, 2, gates_, [&](int pass, int chunk) {
+    member.for_each_pass(2, [&](int pass, int chunk) {
         if (pass == 0) {
             multiply(n, wall, chunk, pressure_, product_);
             return for_each_awake(n, chunk, try_velocity);
@@ -115,14 +120,13 @@ ResidualNorms PressureSolver::begin(const Neighbours& n, const Wall& wall, const
                 right_hand_side_[node] = combine(node, boundary_divergence(n, a));
         });
         double whole = 0.0;
-        partial_norms_[chunk] = renew_residual(n, chunk, [&](int i) {
+        renew_residual(n, chunk, [&](int i) {
             whole += right_hand_side_[i] * right_hand_side_[i];
             direction_[i] = 0.0;
             return free_[i] ? right_hand_side_[i] - product_[i] : 0.0;
         });
         partial_norms_[chunk].whole = whole;
     });
-    return sum_of(partial_norms_);
 }
 
 /// Divergence of the trial velocity at active boundary particle `a`.
@@ -166,7 +170,7 @@ double PressureSolver::multiply_boundary_row(const Neighbours& n, const Wall& wa
 
 /// Gives each node of a chunk the residual that `renew(i)` returns, and sums it over the coarse cells.
 template <class Function>
-ResidualNorms PressureSolver::renew_residual(const Neighbours& n, int chunk, const Function& renew) {
+void PressureSolver::renew_residual(const Neighbours& n, int chunk, const Function& renew) {
     const std::vector<int>& cell = coarse_.cell();
     CellSums& cells = coarse_.sums(chunk);
     cells.clear();
@@ -178,7 +182,7 @@ ResidualNorms PressureSolver::renew_residual(const Neighbours& n, int chunk, con
         norms.scaled += r * r / diagonal_[i];
         if (cell[i] >= 0) cells.sum[cell[i] - cells.low] += r;
     });
-    return norms;
+    partial_norms_[chunk] = norms;
 }
 
 /// The next direction in a chunk: z + beta times the last, z = D^-1 r + coarse correction. Soil that sleeps
@@ -195,55 +199,76 @@ void PressureSolver::turn(const Neighbours& n, int chunk, double beta, const dou
     for_each_boundary(n, chunk, [&](int a) { turn_node(n.first_boundary + a); });
 }
 
-/// Conjugate gradients from the pressure at hand with residual `left`. r.z needs no pass of its own: it is
-/// the sum of what the two levels give.
-PressureSolve PressureSolver::iterate(const Neighbours& n, const Wall& wall, ResidualNorms left) {
+/// What the threads know of the iteration.
+struct PressureSolver::Iteration {
     PressureSolve result;
-    fit(partial_, n.chunks.count());
-    const double norm = std::sqrt(left.whole);
-    const double target = std::max(tolerance_ * norm, negligible_);
-    double rz_old = 1.0;
-    while (std::sqrt(left.squared) > target && result.iterations < max_iterations) {
-        const CoarseCorrection coarse = coarse_.solve();
-        const double rz = left.scaled + coarse_scale * coarse.product;
-        const double beta = result.iterations == 0 ? 0.0 : rz / rz_old;
-        for_each_pass(n.chunks, 2, gates_, [&](int pass, int chunk) {
-            if (pass == 0) return turn(n, chunk, beta, coarse.value);
+    double norm = 0;    ///< of the right-hand side
+    double target = 0;  ///< of the residual
+    double rz = 1;      ///< r . z
+    double alpha = 0;
+    double beta = 0;
+    const double* coarse = nullptr;  ///< correction per coarse cell; null: that is the end
+};
+
+/// Once the residual is known: is it small enough, and if not, what the coarse level makes of it. r.z needs
+/// no pass of its own: it is the sum of what the two levels give.
+void PressureSolver::precondition(Iteration& now) {
+    const auto left = sum_of(partial_norms_);
+    const double size = std::sqrt(left.squared);
+    PressureSolve& result = now.result;
+    result.residual = now.norm > 0.0 ? size / now.norm : 0.0;
+    result.converged = size <= now.target;
+    now.coarse = nullptr;
+    if (result.converged || std::isnan(size) || result.iterations >= max_iterations) return;
+    const CoarseCorrection coarse = coarse_.solve();
+    const double rz = left.scaled + coarse_scale * coarse.product;
+    now.beta = result.iterations == 0 ? 0.0 : rz / now.rz;
+    now.rz = rz;
+    now.coarse = coarse.value;
+}
+
+/// Conjugate gradients from the pressure and the residual at hand.
+void PressureSolver::iterate(TeamMember& member, const Neighbours& n, const Wall& wall, Iteration& now) {
+    member.meet([&] {
+        now.norm = std::sqrt(sum_of(partial_norms_).whole);
+        now.target = std::max(tolerance_ * now.norm, negligible_);
+        precondition(now);
+    });
+    while (now.coarse != nullptr) {
+        member.for_each_pass(2, [&, beta = now.beta, coarse = now.coarse](int pass, int chunk) {
+            if (pass == 0) return turn(n, chunk, beta, coarse);
             partial_[chunk] = multiply(n, wall, chunk, direction_, product_);
         });
-        const double alpha = rz / sum_of(partial_);
-        left = sum_chunks(n.chunks, partial_norms_, [&](int chunk) {
-            return renew_residual(n, chunk, [&](int i) {
+        member.meet([&] { now.alpha = now.rz / sum_of(partial_); });
+        member.for_each_chunk([&, alpha = now.alpha](int chunk) {
+            renew_residual(n, chunk, [&](int i) {
                 pressure_[i] += alpha * direction_[i];
                 return residual_[i] - alpha * product_[i];
             });
         });
-        rz_old = rz;
-        ++result.iterations;
+        member.meet([&] {
+            ++now.result.iterations;
+            precondition(now);
+        });
     }
-    result.residual = norm > 0.0 ? std::sqrt(left.squared) / norm : 0.0;
-    result.converged = std::sqrt(left.squared) <= target;
-    return result;
 }
 
 /// Cuts off negative pressure, at zero unless the soil is cohesive; at a free surface always, where it would
 /// draw grains together that do not touch. Sets what soil and wall carry into the next step. Returns the
-/// highest pressure of the soil in this one.
-double PressureSolver::hand_over(const Neighbours& n, double renewal, Soil& soil, Wall& wall) {
+/// highest pressure of the soil of the chunk in this one.
+double PressureSolver::hand_over(const Neighbours& n, int chunk, double renewal, Soil& soil, Wall& wall) {
     const auto settle = [&](double& carried, int node) {
         const double least = tension_ > 0.0 && n.density[node] >= body_density ? -tension_ : 0.0;
         pressure_[node] = std::max(pressure_[node], least);
         carried = free_[node] ? carried + renewal * (pressure_[node] - carried) : pressure_[node];
     };
-    return max_chunks(n.chunks, partial_, [&](int chunk) {
-        double highest = 0.0;
-        for_each_soil(n, chunk, [&](int i) {
-            settle(soil.pressure[i], i);
-            highest = std::max(highest, pressure_[i]);
-        });
-        for_each_boundary(n, chunk, [&](int a) { settle(wall.pressure[n.active[a]], n.first_boundary + a); });
-        return highest;
+    double highest = 0.0;
+    for_each_soil(n, chunk, [&](int i) {
+        settle(soil.pressure[i], i);
+        highest = std::max(highest, pressure_[i]);
     });
+    for_each_boundary(n, chunk, [&](int a) { settle(wall.pressure[n.active[a]], n.first_boundary + a); });
+    return highest;
 }
 
 PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
@@ -256,11 +281,18 @@ PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
         start.memory = 1.0;
     }
     set_up_coarse_level(n, soil, wall);
-    PressureSolve result = iterate(n, wall, begin(n, wall, vx, vy, start));
-    last_iterations_ = result.iterations;
-    if (steps_since_build_ == 0) iterations_after_build_ = result.iterations;
-    result.highest = hand_over(n, step.renewal, soil, wall);
-    return result;
+    make_room(n);
+    Iteration now;
+    with_team(n.chunks, signals_, [&](TeamMember& member) {
+        begin(member, n, wall, vx, vy, start);
+        iterate(member, n, wall, now);
+        member.for_each_chunk(
+            [&](int chunk) { partial_[chunk] = hand_over(n, chunk, step.renewal, soil, wall); });
+    });
+    last_iterations_ = now.result.iterations;
+    if (steps_since_build_ == 0) iterations_after_build_ = now.result.iterations;
+    now.result.highest = *std::max_element(partial_.begin(), partial_.end());
+    return now.result;
 }
 
 }  // namespace runout

@@ -88,11 +88,14 @@ class PressureSolver {
     [[nodiscard]] const std::vector<double>& node_pressure() const { return pressure_; }
 
   private:
+    struct Iteration;
+
     void set_up(const Neighbours& n, const Soil& soil, const Wall& wall);
     void set_up_boundary(const Neighbours& n, const Wall& wall, int a);
     void set_up_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall);
-    ResidualNorms begin(const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
-                        const std::vector<double>& vy, const PressureStep& step);
+    void make_room(const Neighbours& n);
+    void begin(TeamMember& member, const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
+               const std::vector<double>& vy, const PressureStep& step);
     [[nodiscard]] double boundary_divergence(const Neighbours& n, int a) const;
     double multiply(const Neighbours& n, const Wall& wall, int chunk, const std::vector<double>& x,
                     std::vector<double>& out) const;
@@ -100,9 +103,10 @@ class PressureSolver {
                                  std::vector<double>& out) const;
     void turn(const Neighbours& n, int chunk, double beta, const double* coarse);
     template <class Function>
-    ResidualNorms renew_residual(const Neighbours& n, int chunk, const Function& renew);
-    PressureSolve iterate(const Neighbours& n, const Wall& wall, ResidualNorms left);
-    double hand_over(const Neighbours& n, double renewal, Soil& soil, Wall& wall);
+    void renew_residual(const Neighbours& n, int chunk, const Function& renew);
+    void precondition(Iteration& now);
+    void iterate(TeamMember& member, const Neighbours& n, const Wall& wall, Iteration& now);
+    double hand_over(const Neighbours& n, int chunk, double renewal, Soil& soil, Wall& wall);
 
     Discretisation discretisation_;
     double gravity_;
@@ -111,7 +115,7 @@ class PressureSolver {
     double negligible_;  ///< residual of a pressure that decays where nothing presses, before it underflows
     double tension_ = 0;
     std::optional<PressureFilter> filter_;  ///< of cohesive soil
-    PassGates gates_;
+    TeamSignals signals_;
 
     CoarseLevel coarse_;
     int steps_since_build_ = 0;

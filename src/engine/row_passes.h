@@ -96,70 +96,126 @@ double max_chunks(const RowChunks& chunks, std::vector<double>& partial, const F
     return greatest;
 }
 
-/// Where threads tell each other how far they have come with the first and the last chunk of their share,
-/// which those of the shares before and after may touch.
-class PassGates {
+/// Where the threads of a team tell each other how far they have come.
+class TeamSignals {
   public:
-    void close(int shares) {
+    void reset(int shares) {
         if (gates_.size() < static_cast<std::size_t>(shares)) gates_ = std::vector<Gate>(shares);
         for (Gate& gate : gates_) gate.first = gate.last = 0;
+        arrived_.count = released_.count = 0;
     }
     void await_first(int share, int passes) const { await(gates_[share].first, passes); }
     void await_last(int share, int passes) const { await(gates_[share].last, passes); }
     void open_first(int share, int passes) { gates_[share].first.store(passes, std::memory_order_release); }
     void open_last(int share, int passes) { gates_[share].last.store(passes, std::memory_order_release); }
+    void await_arrivals(int count) const { await(arrived_.count, count); }
+    void await_release(int meeting) const { await(released_.count, meeting); }
+    void arrive() { arrived_.count.fetch_add(1, std::memory_order_acq_rel); }
+    void release(int meeting) { released_.count.store(meeting, std::memory_order_release); }
 
   private:
-    struct alignas(64) Gate {                // a cache line of its own
-        std::atomic<int> first{0}, last{0};  ///< passes done
+    // A cache line each.
+    struct alignas(64) Gate {  ///< passes done with the first and the last chunk of a share
+        std::atomic<int> first{0}, last{0};
     };
-    static void await(const std::atomic<int>& done, int passes) {
+    struct alignas(64) Counter {
+        std::atomic<int> count{0};
+    };
+    static void await(const std::atomic<int>& done, int wanted) {
         constexpr int patience =
             10000;  // turns; where there are fewer cores than threads, the other must run
-        for (int turn = 0; done.load(std::memory_order_acquire) < passes; ++turn)
+        for (int turn = 0; done.load(std::memory_order_acquire) < wanted; ++turn)
             if (turn > patience) std::this_thread::yield();
     }
     std::vector<Gate> gates_;
+    Counter arrived_, released_;
 };
 
-/// Runs the passes of one share, chunk by chunk: pass p of a chunk follows pass p - 1 of the next, so that
-/// the pairs of a chunk are still in the cache when the next pass comes to it (temporal blocking). Shares
-/// that follow each other begin where they touch, or end there: so each has long done what the other waits
-/// for.
-template <class Work>
-void run_share(const RowChunks& chunks, int share, int passes, PassGates& gates, const Work& work) {
-    const int first = chunks.share_start[share];
-    const int last = chunks.share_start[share + 1] - 1;
-    const bool falls = share % 2 == 0 && chunks.shares() > 1;
-    const int count = last - first + 1;
-    for (int stage = 0; stage < count + passes - 1; ++stage) {
-        for (int pass = std::max(0, stage - count + 1); pass <= std::min(passes - 1, stage); ++pass) {
-            const int chunk = falls ? last - (stage - pass) : first + (stage - pass);
-            if (chunk == first && share > 0) gates.await_last(share - 1, pass);
-            if (chunk == last && share + 1 < chunks.shares()) gates.await_first(share + 1, pass);
-            work(pass, chunk);
-            if (chunk == first) gates.open_first(share, pass + 1);
-            if (chunk == last) gates.open_last(share, pass + 1);
-        }
-    }
-}
+/// One thread of a team that goes through the chunks together, each thread through its share.
+class TeamMember {
+  public:
+    TeamMember(const RowChunks& chunks, int share, int shares, TeamSignals& signals)
+        : share_(share),
+          shares_(shares),
+          first_(shares == 1 ? 0 : chunks.share_start[share]),
+          last_((shares == 1 ? chunks.count() : chunks.share_start[share + 1]) - 1),
+          signals_(signals) {}
 
-/// Runs `passes` passes over all chunks: work(pass, chunk), each thread its share. In a pass, a chunk may
-/// read of itself and of the two beside it what earlier passes wrote, and write only what is its own and no
-/// other reads in the same pass. The result is that of one pass after the other.
+    /// Calls f(c) for each chunk of the share.
+    template <class Function>
+    void for_each_chunk(const Function& f) const {
+        for (int c = first_; c <= last_; ++c) f(c);
+    }
+
+    /// Runs `passes` passes: work(pass, chunk). In a pass, a chunk may read of itself and of the two beside
+    /// it what earlier passes wrote, and write only what is its own and no other reads in the same pass. The
+    /// result is that of one pass after the other.
+    ///
+    /// Pass p of a chunk follows pass p - 1 of the next, so that the pairs of a chunk are still in the cache
+    /// when the next pass comes to it (temporal blocking). Shares that follow each other begin where they
+    /// touch, or end there: so each has long done what the other waits for.
+    template <class Work>
+    void for_each_pass(int passes, const Work& work) {
+        const bool falls = share_ % 2 == 0 && shares_ > 1;
+        const int count = last_ - first_ + 1;
+        for (int stage = 0; stage < count + passes - 1; ++stage) {
+            for (int pass = std::max(0, stage - count + 1); pass <= std::min(passes - 1, stage); ++pass) {
+                const int chunk = falls ? last_ - (stage - pass) : first_ + (stage - pass);
+                await_beside(chunk, passes_done_ + pass);
+                work(pass, chunk);
+                tell_beside(chunk, passes_done_ + pass + 1);
+            }
+        }
+        passes_done_ += passes;
+    }
+
+    /// All meet; one does `alone` while the others wait.
+    template <class Function>
+    void meet(const Function& alone) {
+        ++meetings_;
+        if (share_ > 0) {
+            signals_.arrive();
+            return signals_.await_release(meetings_);
+        }
+        signals_.await_arrivals(meetings_ * (shares_ - 1));
+        alone();
+        signals_.release(meetings_);
+    }
+
+  private:
+    void await_beside(int chunk, int passes) const {
+        if (chunk == first_ && share_ > 0) signals_.await_last(share_ - 1, passes);
+        if (chunk == last_ && share_ + 1 < shares_) signals_.await_first(share_ + 1, passes);
+    }
+    void tell_beside(int chunk, int passes) {
+        if (chunk == first_) signals_.open_first(share_, passes);
+        if (chunk == last_) signals_.open_last(share_, passes);
+    }
+
+    int share_, shares_;
+    int first_, last_;  ///< chunks of the share
+    TeamSignals& signals_;
+    int passes_done_ = 0;
+    int meetings_ = 0;
+};
+
+/// Calls work(member) on each thread of a team.
 template <class Work>
-void for_each_pass(const RowChunks& chunks, int passes, PassGates& gates, const Work& work) {
+void with_team(const RowChunks& chunks, TeamSignals& signals, const Work& work) {
     const int shares = chunks.shares();
-    gates.close(shares);
-    if (shares == 1) return run_share(chunks, 0, passes, gates, work);
+    signals.reset(shares);
+    const auto do_share = [&](int share, int of) {
+        TeamMember member(chunks, share, of, signals);
+        work(member);
+    };
+    if (shares == 1) return do_share(0, 1);
 #pragma omp parallel num_threads(shares)
     {
-        if (omp_get_num_threads() == shares) {
-            run_share(chunks, omp_get_thread_num(), passes, gates, work);
-        } else if (omp_get_thread_num() == 0) {  // there are not as many threads to be had
-            for (int pass = 0; pass < passes; ++pass)
-                for (int chunk = 0; chunk < chunks.count(); ++chunk) work(pass, chunk);
-        }
+        const int thread = omp_get_thread_num();
+        if (omp_get_num_threads() == shares)
+            do_share(thread, shares);
+        else if (thread == 0)  // there are not as many threads to be had
+            do_share(0, 1);
     }
 }
 
