@@ -54,10 +54,10 @@ void CellGrid::find_columns(const std::vector<double>& x, const std::vector<doub
         long left = std::numeric_limits<long>::max();
         long right = std::numeric_limits<long>::min();
         for (int i = first; i < last; ++i) {
-            const Place place{column(x[i]), row(y[i])};
+            const Place place{static_cast<int>(column(x[i])), static_cast<int>(row(y[i]))};
             place_of[i] = place;
-            left = std::min(left, place.column);
-            right = std::max(right, place.column);
+            left = std::min<long>(left, place.column);
+            right = std::max<long>(right, place.column);
         }
         FilledColumns& own = parts_[t].columns;
         if (first == last) return own.open(0, -1);

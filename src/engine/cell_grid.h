@@ -59,7 +59,7 @@ struct CellGrid {
 
     /// Where a point stands, in cells from the origin of the plane.
     struct Place {
-        long column, row;
+        int column, row;
     };
     std::vector<Place> place_of;       ///< of each point covered last
     std::vector<std::size_t> cell_of;  ///< and its cell

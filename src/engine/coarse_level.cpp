@@ -25,14 +25,16 @@ struct Cell {
     friend auto operator<=>(const Cell&, const Cell&) = default;
 };
 
-/// Couplings of a cell with the 5 x 5 cells around it.
-using Stencil = std::array<double, span * span>;
+constexpr int half = span * span / 2;
+
+/// Couplings of a cell with itself and with those of the 5 x 5 cells around it that come later by column and
+/// row; the matrix is symmetric.
+using Stencil = std::array<double, half + 1>;
 
 }  // namespace
 
 /// What `build` works with, kept from call to call.
 struct CoarseLevel::Cells {
-    std::vector<Cell> of_node;
     std::vector<std::vector<Cell>> seen;        ///< per chunk
     std::vector<Cell> list;                     ///< by column and row: the unknowns
     std::vector<std::vector<Stencil>> stencil;  ///< per chunk, of the cells from CellSums::low on
@@ -143,21 +145,22 @@ void CoarseLevel::build(const FineLevel& fine, Soil& soil) {
 void CoarseLevel::place_nodes(const FineLevel& fine, Soil& soil) {
     const Neighbours& n = fine.n;
     Cells& cells = *cells_;
-    fit(cells.of_node, n.nodes);
     if (cells.seen.size() < n.chunks.list.size()) cells.seen.resize(n.chunks.list.size());
     const auto cell_at = [&](double x, double y) {
         return Cell{static_cast<long>(std::floor(x / size_)), static_cast<long>(std::floor(y / size_))};
     };
+    const auto cell_of = [&](int node) {
+        if (node < n.soil_count) return cell_at(soil.x[node], soil.y[node]);
+        const int b = n.active[node - n.first_boundary];
+        return cell_at(fine.wall.x[b], fine.wall.y[b]);
+    };
     for_each_chunk(n.chunks, [&](int chunk) {
-        for_each_soil(n, chunk, [&](int i) { cells.of_node[i] = cell_at(soil.x[i], soil.y[i]); });
-        for_each_boundary(n, chunk, [&](int a) {
-            cells.of_node[n.first_boundary + a] = cell_at(fine.wall.x[n.active[a]], fine.wall.y[n.active[a]]);
-        });
         std::vector<Cell>& seen = cells.seen[chunk];
         seen.clear();  // nodes in spatial order: the next is often in the same cell
         for_each_node(n, chunk, [&](int i) {
-            if (fine.free[i] && (seen.empty() || seen.back() != cells.of_node[i]))
-                seen.push_back(cells.of_node[i]);
+            if (!fine.free[i]) return;
+            const Cell cell = cell_of(i);
+            if (seen.empty() || seen.back() != cell) seen.push_back(cell);
         });
         std::sort(seen.begin(), seen.end());
         seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
@@ -171,7 +174,7 @@ void CoarseLevel::place_nodes(const FineLevel& fine, Soil& soil) {
     wall_cell_.assign(fine.wall.boundary_count, -1);
     for_each_chunk(n.chunks, [&](int chunk) {
         for_each_node(n, chunk, [&](int i) {
-            const auto at = std::lower_bound(cells.list.begin(), cells.list.end(), cells.of_node[i]);
+            const auto at = std::lower_bound(cells.list.begin(), cells.list.end(), cell_of(i));
             cell_[i] = fine.free[i] ? static_cast<int>(at - cells.list.begin()) : -1;
         });
         for_each_soil(n, chunk, [&](int i) { soil.aggregate[i] = cell_[i]; });
@@ -205,7 +208,8 @@ void CoarseLevel::assemble(const FineLevel& fine, int chunk) {
         const long dc = other.column - own.column;
         const long dr = other.row - own.row;
         if (std::abs(dc) > reach || std::abs(dr) > reach) return;
-        stencil[cell_[i] - sums_[chunk].low][(dc + reach) * span + dr + reach] += value;
+        const long later = dc * span + dr;  // by column and row
+        if (later >= 0) stencil[cell_[i] - sums_[chunk].low][later] += value;
     };
     for_each_node(n, chunk, [&](int i) { add(i, i, fine.diagonal[i]); });
     const RowChunk& rows = n.chunks.list[chunk];
@@ -233,7 +237,7 @@ void CoarseLevel::collect() {
     set_all(whole, list.size(), Stencil{});
     for (int c = 0; c < chunks_; ++c) {
         for (std::size_t s = 0; s < cells_->stencil[c].size(); ++s) {
-            for (int k = 0; k < span * span; ++k) whole[sums_[c].low + s][k] += cells_->stencil[c][s][k];
+            for (int k = 0; k <= half; ++k) whole[sums_[c].low + s][k] += cells_->stencil[c][s][k];
         }
     }
     Factor& f = *factor_;
@@ -242,10 +246,11 @@ void CoarseLevel::collect() {
     f.row.clear();
     f.value.clear();
     for (int c = 0; c < f.size; ++c) {
-        for (int k = 0; k < span * span; ++k) {
+        for (int k = 0; k <= half; ++k) {
             const double value = whole[c][k];
-            const Cell other{list[c].column + k / span - reach, list[c].row + k % span - reach};
-            if (value == 0.0 || other < list[c]) continue;
+            const Cell other{list[c].column + (k + half) / span - reach,
+                             list[c].row + (k + half) % span - reach};
+            if (value == 0.0) continue;
             const auto at = std::lower_bound(list.begin(), list.end(), other);
             f.row.push_back(static_cast<int>(at - list.begin()));
             f.value.push_back(value);

@@ -20,7 +20,6 @@ Friction::Friction(const Discretisation& discretisation, YieldStrength yield, Fr
     : discretisation_(discretisation), yield_(std::move(yield)), scheme_(scheme), iterations_(iterations) {}
 
 void Friction::make_room(const Neighbours& n) {
-    for (auto* field : {&pressure_x_, &pressure_y_}) fit(*field, n.nodes);
     for (auto* field : {&base_velocity_, &force_}) fit(*field, n.nodes);
     for (auto* field : {&stress_, &ahead_, &velocity_}) set_rest(*field, n.soil_count, n.nodes, FloatPair{});
     set_rest(pressure_, n.soil_count, n.nodes, 0.0);
@@ -96,16 +95,17 @@ void Friction::save(const Neighbours& n, int chunk, Soil& soil, Wall& wall) cons
 }
 
 /// Base velocity = v^n + dt (g - grad p / rho): the last known pressure included. The stress turns with the
-/// soil (Jaumann); |s| is kept.
+/// soil (Jaumann); |s| is kept. `gradient_x`, `gradient_y`: scratch.
 void Friction::start_rows(const PairRows& rows, int last, const Neighbours& n, const Soil& soil,
-                          const FrictionStep& step) {
+                          const FrictionStep& step, std::vector<double>& gradient_x,
+                          std::vector<double>& gradient_y) {
     const double scale = step.dt / discretisation_.density;
     const Vec2 gain = step.dt * step.body;
-    pair_kernels().pressure_gradient(rows, pressure_.data(), pressure_x_.data(), pressure_y_.data());
+    pair_kernels().pressure_gradient(rows, pressure_.data(), gradient_x.data(), gradient_y.data());
     for (int i = rows.first_row; i < last; ++i) {
         base_velocity_[i] = {
-            static_cast<float>(soil.vx[i] - scale * pressure_x_[i] + gain.x() + step.dt * soil.contact_x[i]),
-            static_cast<float>(soil.vy[i] - scale * pressure_y_[i] + gain.y() + step.dt * soil.contact_y[i])};
+            static_cast<float>(soil.vx[i] - scale * gradient_x[i] + gain.x() + step.dt * soil.contact_x[i]),
+            static_cast<float>(soil.vy[i] - scale * gradient_y[i] + gain.y() + step.dt * soil.contact_y[i])};
     }
     StressRotation rotation;
     rotation.velocity = velocity_.data();
@@ -203,6 +203,12 @@ void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const Fricti
     make_room(n);
     for (auto* field : {&vx, &vy}) set_beyond_awake(n, *field, 0.0);
     set_momenta(step.iterations > 0 ? step.iterations : iterations_);
+    const auto start = [&](int chunk) {
+        find_strength(n, chunk, step.pore_pressure);
+        for_each_awake(n, chunk, [&](const PairRows& rows, int last) {
+            start_rows(rows, last, n, soil, step, vx, vy);  // what is to be the result is not in use yet
+        });
+    };
     const auto finish = [&](int chunk) {
         for_each_awake(n, chunk, [&](const PairRows& rows, int last) {
             final_velocity(rows, last, soil, step, vx, vy);
@@ -212,7 +218,7 @@ void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const Fricti
     with_team(n.chunks, signals_, [&](TeamMember& member) {
         member.for_each_pass(1, [&](int, int chunk) { load(n, chunk, soil, wall); });
         if (yield_.depends_on_rate()) find_strain_rate(member, n, soil, wall, *step.bed);
-        if (scheme_ == FrictionScheme::projected) return iterate(member, n, soil, step, finish);
+        if (scheme_ == FrictionScheme::projected) return iterate(member, n, step.dt, start, finish);
         member.for_each_pass(2, [&](int pass, int chunk) {
             if (pass == 1) return finish(chunk);
             find_strength(n, chunk, step.pore_pressure);
@@ -222,19 +228,13 @@ void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const Fricti
 }
 
 /// Passes: the start, then for each iteration a trial velocity and a projection, then the end.
-template <class Finish>
-void Friction::iterate(TeamMember& member, const Neighbours& n, const Soil& soil, const FrictionStep& step,
+template <class Start, class Finish>
+void Friction::iterate(TeamMember& member, const Neighbours& n, double dt, const Start& start,
                        const Finish& finish) {
     const int final_pass = 2 * static_cast<int>(momenta_.size()) + 1;
-    const double stress_step = 0.5 * discretisation_.density * discretisation_.volume() / step.dt;
-    const auto start = [&](int chunk) {
-        find_strength(n, chunk, step.pore_pressure);
-        for_each_awake(n, chunk,
-                       [&](const PairRows& rows, int last) { start_rows(rows, last, n, soil, step); });
-    };
+    const double stress_step = 0.5 * discretisation_.density * discretisation_.volume() / dt;
     const auto try_velocity = [&](int chunk) {
-        for_each_awake(n, chunk,
-                       [&](const PairRows& rows, int last) { trial_velocity(rows, last, step.dt); });
+        for_each_awake(n, chunk, [&](const PairRows& rows, int last) { trial_velocity(rows, last, dt); });
     };
     const auto project_stress = [&](int chunk, double momentum) {
         for_each_awake(n, chunk, [&](const PairRows& rows, int) { project(rows, n, stress_step, momentum); });

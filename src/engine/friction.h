@@ -56,11 +56,12 @@ class Friction {
     void find_strength(const Neighbours& n, int chunk, const std::vector<double>* pore_pressure);
     void save(const Neighbours& n, int chunk, Soil& soil, Wall& wall) const;
     void set_momenta(int iterations);
-    template <class Finish>
-    void iterate(TeamMember& member, const Neighbours& n, const Soil& soil, const FrictionStep& step,
+    template <class Start, class Finish>
+    void iterate(TeamMember& member, const Neighbours& n, double dt, const Start& start,
                  const Finish& finish);
     void start_rows(const PairRows& rows, int last, const Neighbours& n, const Soil& soil,
-                    const FrictionStep& step);
+                    const FrictionStep& step, std::vector<double>& gradient_x,
+                    std::vector<double>& gradient_y);
     void trial_velocity(const PairRows& rows, int last, double dt);
     [[nodiscard]] const std::array<std::vector<float>, 4>& correction(const Neighbours& n) const;
     void project(const PairRows& rows, const Neighbours& n, double step, double momentum);
@@ -77,15 +78,15 @@ class Friction {
     std::vector<double> momenta_;  ///< of each iteration
 
     // Node arrays, see Neighbours. What is iterated on is in single precision, see PairKernels.
-    std::vector<double> pressure_, pressure_x_, pressure_y_;  ///< p and its gradient
-    std::vector<double> strain_rate_;                         ///< |e|, 1/s; only where strength depends on it
-    std::vector<float> strength_;                             ///< yield stress, Pa
-    std::vector<FloatPair> stress_;                           ///< sxx and sxy of this iterate, Pa
-    std::vector<FloatPair> ahead_;                            ///< extrapolated
-    std::vector<FloatPair> base_velocity_;                    ///< under gravity and pressure, m/s
-    std::vector<FloatPair> velocity_;                         ///< trial velocity v~
-    std::array<std::vector<float>, 4> no_correction_;         ///< only for cohesive soil
-    std::vector<FloatPair> force_;                            ///< div s, Pa/m
+    std::vector<double> pressure_;
+    std::vector<double> strain_rate_;                  ///< |e|, 1/s; only where strength depends on it
+    std::vector<float> strength_;                      ///< yield stress, Pa
+    std::vector<FloatPair> stress_;                    ///< sxx and sxy of this iterate, Pa
+    std::vector<FloatPair> ahead_;                     ///< extrapolated
+    std::vector<FloatPair> base_velocity_;             ///< under gravity and pressure, m/s
+    std::vector<FloatPair> velocity_;                  ///< trial velocity v~
+    std::array<std::vector<float>, 4> no_correction_;  ///< only for cohesive soil
+    std::vector<FloatPair> force_;                     ///< div s, Pa/m
 };
 
 }  // namespace runout

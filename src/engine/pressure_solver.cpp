@@ -77,7 +77,6 @@ void PressureSolver::set_up_coarse_level(const Neighbours& n, Soil& soil, const 
 }
 
 void PressureSolver::make_room(const Neighbours& n) {
-    for (auto* field : {&gradient_x_, &gradient_y_}) fit(*field, n.nodes);
     for (auto* field : {&residual_, &direction_}) set_rest(*field, n.soil_count, n.nodes, 0.0);
     set_beyond_awake(n, trial_velocity_, FloatPair{});
     for (auto* field : {&right_hand_side_, &product_}) set_beyond_awake(n, *field, 0.0);
@@ -97,11 +96,13 @@ void PressureSolver::begin(TeamMember& member, const Neighbours& n, const Wall& 
         const double wanted = rate * std::max(0.0, n.density[node] - 1.0);
         return (wanted - divergence) / dt + step.memory * product_[node];
     };
+    std::vector<double>& gradient_x = residual_;  // in places that are not in use yet
+    std::vector<double>& gradient_y = direction_;
     const auto try_velocity = [&](const PairRows& rows, int last) {
-        pair_kernels().pressure_gradient(rows, pressure_.data(), gradient_x_.data(), gradient_y_.data());
+        pair_kernels().pressure_gradient(rows, pressure_.data(), gradient_x.data(), gradient_y.data());
         for (int i = rows.first_row; i < last; ++i) {
-            trial_velocity_[i] = {static_cast<float>(vx[i] - scale * gradient_x_[i]),
-                                  static_cast<float>(vy[i] - scale * gradient_y_[i])};
+            trial_velocity_[i] = {static_cast<float>(vx[i] - scale * gradient_x[i]),
+                                  static_cast<float>(vy[i] - scale * gradient_y[i])};
         }
     };
     const auto find_divergence = [&](const PairRows& rows, int last) {

@@ -123,8 +123,7 @@ class PressureSolver {
     int last_iterations_ = 0;
 
     // Node arrays.
-    std::vector<double> gradient_x_, gradient_y_;  ///< of p^n
-    std::vector<FloatPair> trial_velocity_;        ///< v* under m p^n, m/s
+    std::vector<FloatPair> trial_velocity_;  ///< v* under m p^n, m/s
     std::vector<double> pressure_, right_hand_side_, diagonal_, residual_, direction_, product_;
     std::vector<char> free_;
 
