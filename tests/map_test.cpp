@@ -34,7 +34,7 @@ Scene scene_on(const MapLine& line, bool mirrored = false) {
     }
     ProfileOptions options;
     options.toe_chainage_m = mirrored ? 50 : 30;
-    scene.profile = make_profile(points, {}, "dem.tif along lines.gpkg", options);
+    scene.profile = make_profile({points, {}, "dem.tif along lines.gpkg"}, options);
     SourceSpec wedge;
     wedge.base_angle = radians(30);
     wedge.scarp_angle = radians(80);

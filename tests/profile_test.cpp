@@ -15,7 +15,7 @@ using namespace runout;
 namespace {
 
 Profile profile_of(const std::vector<Vec2>& points, const ProfileOptions& options = {}) {
-    return make_profile(points, {}, "section.csv", options);
+    return make_profile({points, {}, "section.csv"}, options);
 }
 
 const std::vector<Vec2> cut{{0, 32}, {30, 32}, {41.5, 12}, {200, 12}};

@@ -14,7 +14,7 @@ inline Scene polygon(const std::vector<Vec2>& section, const std::vector<Vec2>& 
                      double friction_angle_deg, double spacing) {
     Scene scene;
     std::vector<int> lines(section.size(), 0);
-    scene.profile = make_profile(section, lines, "test", {});
+    scene.profile = make_profile({section, lines, "test"}, {});
     SourceSpec spec;
     spec.type = SourceType::polygon;
     spec.points = outline;
@@ -78,7 +78,7 @@ inline Scene box(double slope_deg, double drop, double spacing) {
     Scene scene;
     const std::vector<Vec2> section{
         {-crest / std::tan(t) - 0.3, crest}, {-crest / std::tan(t), crest}, {0, 0}, {1.5, 0}};
-    scene.profile = make_profile(section, std::vector<int>(4, 0), "test", {});
+    scene.profile = make_profile({section, std::vector<int>(4, 0), "test"}, {});
     SourceSpec spec;
     spec.type = SourceType::rectangle;
     spec.length = 0.096;

@@ -24,7 +24,7 @@ inline std::string error_of(const Profile& profile, const SourceSpec& spec) {
 }
 
 inline Profile profile_of(const std::vector<Vec2>& points) {
-    return make_profile(points, {}, "section.csv", {});
+    return make_profile({points, {}, "section.csv"}, {});
 }
 
 /// A straight face between level ground.

@@ -23,7 +23,7 @@ TEST(HillsideTest, EveryShapeIsAValidSectionWithItsToeAtTheOrigin) {
         for (const double angle : {0.4, 1.0, std::acos(-1.0) / 2}) {
             const Hillside h{static_cast<HillsideShape>(shape), angle, 10, 20, 100, 0.05, 0.8};
             const std::vector<Vec2> ground = ground_of(h);
-            EXPECT_NO_THROW(make_profile(ground, {}, to_string(h.shape), {})) << to_string(h.shape);
+            EXPECT_NO_THROW(make_profile({ground, {}, to_string(h.shape)}, {})) << to_string(h.shape);
             EXPECT_NE(std::ranges::find(ground, Vec2(0, 0)), ground.end());
         }
     }

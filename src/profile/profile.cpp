@@ -198,11 +198,13 @@ double Profile::slope_angle() const {
     return std::atan2(rise.y(), -rise.x());
 }
 
-Profile make_profile(const std::vector<Vec2>& points, const std::vector<int>& lines, const std::string& file,
-                     const ProfileOptions& options) {
-    const Section section = checked(points, lines, file);
+Profile make_profile(const SectionPoints& given, const ProfileOptions& options) {
+    const std::string& file = given.origin;
+    const Section section = checked(given.points, given.lines, file);
     Profile profile;
     profile.origin = file;
+    profile.read_as = given.read_as;
+    profile.map_line = given.map_line;
     profile.descends_with_chainage = descends_with_chainage(section, options);
 
     Polyline ground = turned_downhill(section, profile.descends_with_chainage);
@@ -211,6 +213,8 @@ Profile make_profile(const std::vector<Vec2>& points, const std::vector<int>& li
     double crest_x = sign * options.crest_chainage_m;
     const bool toe_given = !std::isnan(toe_x);
     const bool crest_given = !std::isnan(crest_x);
+    profile.toe_given = toe_given;
+    profile.crest_given = crest_given;
     if (toe_given) require_on_section(ground, toe_x, toe_key, options.toe_chainage_m, file);
     if (crest_given) require_on_section(ground, crest_x, crest_key, options.crest_chainage_m, file);
     if (toe_given) toe_x = insert_point(ground, toe_x);

@@ -10,6 +10,7 @@
 #include "gis/elevation_raster.h"
 #include "gis/map_line.h"
 #include "gis/section_line.h"
+#include "profile/section_points.h"
 
 namespace runout {
 
@@ -27,7 +28,11 @@ struct Profile {
     double toe_elevation_m = 0;
     bool descends_with_chainage = true;  ///< false: the section was mirrored to run out towards +x
 
-    std::string origin;               ///< file (and line feature) it came from
+    std::string origin;      ///< file (and line feature) it came from
+    std::string read_as;     ///< as SectionPoints has it
+    bool toe_given = false;  ///< by the user; else found
+    bool crest_given = false;
+    std::vector<std::string> doubts;  ///< what to know of how toe and crest were chosen, a sentence each
     std::optional<MapLine> map_line;  ///< where the section lies; none for a CSV, which does not say
 
     /// Local point -> (chainage, elevation) of the file.
@@ -53,14 +58,12 @@ struct ProfileOptions {
     double crest_chainage_m = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Profile from (chainage, elevation) points in file order, chainage never decreasing. The section descends
-/// from its higher end to its lower one, or from a given crest to a given toe; a flat one runs out with the
-/// chainage. `lines[i]` is the line of points[i] in `file` for error messages (may be empty). Of three or
-/// more points of one vertical face the inner ones are dropped. Throws InputError: fewer than two points, a
+/// Profile from points whose chainage never decreases. The section descends from its higher end to its lower
+/// one, or from a given crest to a given toe; a flat one runs out with the chainage. Of three or more points
+/// of one vertical face the inner ones are dropped. Throws InputError: fewer than two points, a
 /// coordinate that is not finite or beyond 1e8 m, overhang, repeated point (within 1e-7 m), a step up and
 /// down at one chainage, no descent, toe or crest not on the section.
-Profile make_profile(const std::vector<Vec2>& points, const std::vector<int>& lines, const std::string& file,
-                     const ProfileOptions& options);
+Profile make_profile(const SectionPoints& section, const ProfileOptions& options);
 
 /// CSV with a header naming `chainage_m` and `elevation_m` (any order), metres. `#` starts a comment; blank
 /// lines, a byte-order mark and CRLF are accepted. Throws InputError, with the line: unreadable or empty

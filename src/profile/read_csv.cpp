@@ -72,7 +72,7 @@ Profile read_profile_csv(const std::string& path, const ProfileOptions& options)
     if (points.size() == 1)
         throw InputError({path, lines.front(), "", ""}, "has one point only",
                          "a section needs at least two points");
-    return make_profile(points, lines, path, options);
+    return make_profile({points, lines, path}, options);
 }
 
 }  // namespace runout

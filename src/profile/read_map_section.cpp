@@ -113,9 +113,8 @@ Profile read_map_section(const MapSection& section, const ProfileOptions& option
     std::string origin = origin_of(section, line);
     if (section.smoothing_m > 0)
         origin += smoothing_text(section.smoothing_m, smooth_elevations(points, section.smoothing_m));
-    Profile profile = make_profile(points, {}, origin, with_attributes(options, line.map));
-    profile.map_line = std::move(line.map);
-    return profile;
+    const ProfileOptions completed = with_attributes(options, line.map);
+    return make_profile({points, {}, origin, {}, std::move(line.map)}, completed);
 }
 
 std::vector<SectionFeature> section_features(const LineQuery& query) {

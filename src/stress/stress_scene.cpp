@@ -164,7 +164,7 @@ Scene stress_scene(const StressPoint& p, const std::string& name) {
 
     Scene scene;
     scene.name = name;
-    scene.profile = make_profile(section, {}, name, options);
+    scene.profile = make_profile({section, {}, name}, options);
     scene.source = derive_source(scene.profile, spec);
     scene.material.friction_angle = radians(p.friction_angle_deg);
     scene.effects = effects_of(p);

@@ -172,7 +172,7 @@ void derive_any_source(std::span<const std::uint8_t> bytes) {
         const std::uint8_t given = numbers.byte();
         if (given % 4 == 1) options.toe_chainage_m = numbers.number();
         if (given % 8 == 3) options.crest_chainage_m = numbers.number();
-        const Profile profile = make_profile(points, {}, "fuzz", options);
+        const Profile profile = make_profile({points, {}, "fuzz"}, options);
         check(profile);
         check(derive_source(profile, spec_from(numbers)));
     });
