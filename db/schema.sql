@@ -8,7 +8,7 @@
 -- A change of the format raises user_version and adds a step to src/store/migrations.cpp.
 
 PRAGMA application_id = 1381322319;  -- the letters RUNO
-PRAGMA user_version = 8;
+PRAGMA user_version = 9;
 
 -- The ground along a section before the failure. Two files with the same ground share one row, so the name
 -- of the file belongs to the run.
@@ -149,7 +149,11 @@ CREATE TABLE run (
     error_note              TEXT NOT NULL DEFAULT '',        -- how they were found, one sentence
     expected_cpu_s          REAL,                            -- as the cost model foretold it; NULL: it did not
     choosing_cpu_s          REAL NOT NULL DEFAULT 0,         -- spent on pilot runs for this run
-    spared_share            REAL    -- of the particle steps: at rest or in free flight, without friction and pressure
+    spared_share            REAL,   -- of the particle steps: at rest or in free flight, without friction and pressure
+    toe_origin              TEXT NOT NULL DEFAULT '' CHECK (toe_origin IN ('found', 'given', '')),
+    crest_origin            TEXT NOT NULL DEFAULT '' CHECK (crest_origin IN ('found', 'given', '')),
+    section_read_as         TEXT NOT NULL DEFAULT '',        -- columns and units that were found in the file; empty: its form leaves no choice
+    section_doubts          TEXT NOT NULL DEFAULT ''         -- what speaks against the toe and crest that were taken, a line each
 ) STRICT;
 CREATE INDEX run_of_scenario ON run (scenario_id);
 
@@ -448,6 +452,17 @@ SELECT section_id,
        toe_elevation_m + y_m AS elevation_m
 FROM section_point JOIN section USING (section_id);
 
+-- Where the cut of each section is.
+CREATE VIEW section_face AS
+SELECT section_id,
+       toe_chainage_m,
+       toe_elevation_m,
+       toe_chainage_m + CASE descends_with_chainage WHEN 1 THEN x_m ELSE -x_m END AS crest_chainage_m,
+       y_m AS face_height_m,
+       slope_angle_deg
+FROM section JOIN section_point USING (section_id)
+WHERE point_index = crest_index;
+
 -- And the runs whose numbers may be used, with the words that say what was asked.
 CREATE VIEW result AS
 SELECT run.name,
@@ -456,6 +471,12 @@ SELECT run.name,
        source.discontinuity_angle_deg,
        source.drop_height_datum,
        section.slope_angle_deg,
+       section_face.toe_chainage_m,
+       section_face.crest_chainage_m,
+       section_face.face_height_m,
+       run.toe_origin,
+       run.crest_origin,
+       run.section_doubts,
        scenario.friction_angle_deg,
        run.status,
        run.run_out_error_m,
@@ -467,6 +488,7 @@ JOIN run_status USING (status)
 JOIN scenario USING (scenario_id)
 JOIN source USING (source_id)
 JOIN section USING (section_id)
+JOIN section_face USING (section_id)
 JOIN measure USING (run_id)
 WHERE run_status.is_result = 1;
 

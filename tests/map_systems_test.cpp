@@ -84,7 +84,7 @@ TEST_F(MapFiles, ASystemInFeetGivesMetres) {
     constexpr double foot = 1200.0 / 3937.0;
     EXPECT_NEAR(profile.map_line->chainage_m.back(), 300 * foot, 1e-9);
     EXPECT_NEAR(profile.to_section(profile.ground.front()).y(), 295 * foot, 1e-9);
-    EXPECT_NEAR(profile.slope_angle(), std::atan(0.5), 1e-9);
+    EXPECT_NEAR(profile.slope_angle, std::atan(0.5), 1e-9);
 }
 
 TEST_F(MapFiles, ElevationsInFeetMustBeConfirmed) {

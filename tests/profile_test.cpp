@@ -48,7 +48,7 @@ TEST(Profile, PutsTheToeAtTheOriginAndRunsOutTowardsPlusX) {
     EXPECT_EQ(p.toe_chainage_m, 41.5);
     EXPECT_EQ(p.toe_elevation_m, 12);
     EXPECT_TRUE(p.descends_with_chainage);
-    EXPECT_DOUBLE_EQ(p.slope_angle(), std::atan2(20.0, 11.5));
+    EXPECT_DOUBLE_EQ(p.slope_angle, std::atan2(20.0, 11.5));
     EXPECT_EQ(p.to_section({0, 0}), Vec2(41.5, 12));
     EXPECT_EQ(p.to_local({0, 32}), Vec2(-41.5, 20));
 }
@@ -108,7 +108,7 @@ TEST(Profile, ThresholdIsHalfOfTheSteepestAndAtLeast15Degrees) {
     const Profile gentle = profile_of({{0, 20 * std::tan(radians(14))}, {20, 0}, {40, 0}});
     EXPECT_EQ(gentle.crest, 0u);
     EXPECT_EQ(gentle.toe, 0u);
-    EXPECT_EQ(gentle.slope_angle(), 0);
+    EXPECT_EQ(gentle.slope_angle, 0);
 }
 
 TEST(Profile, SectionThatBeginsAtAWall) {
@@ -116,7 +116,7 @@ TEST(Profile, SectionThatBeginsAtAWall) {
     EXPECT_EQ(p.crest, 0u);
     EXPECT_EQ(p.toe, 1u);
     EXPECT_EQ(p.ground.front(), Vec2(0, 0.15));
-    EXPECT_DOUBLE_EQ(p.slope_angle(), radians(90));
+    EXPECT_DOUBLE_EQ(p.slope_angle, radians(90));
 }
 
 TEST(Profile, FlatBedHasToeAndCrestAtItsUphillEnd) {

@@ -33,7 +33,7 @@ TEST_F(StoreTest, ReturnsEveryFieldOfARun) {
     EXPECT_EQ(run.source_type, "C");
     EXPECT_EQ(run.discontinuity_angle_deg, degrees(0.96));
     EXPECT_EQ(run.drop_height_datum, "base");
-    EXPECT_EQ(run.slope_angle_deg, degrees(scene.profile.slope_angle()));
+    EXPECT_EQ(run.slope_angle_deg, degrees(scene.profile.slope_angle));
     EXPECT_EQ(run.friction_angle_deg, degrees(0.66));
     EXPECT_EQ(run.scenario_hash, scenario_hash(scene));
     EXPECT_EQ(run.program_version, program_version());

@@ -39,7 +39,7 @@ const ChartVariableText& text_of(ChartVariable variable) {
 ChartQuestion chart_question(const Scene& scene) {
     const Source& source = scene.source;
     ChartQuestion question;
-    question.place = {degrees(scene.profile.slope_angle()), source.head.y() / std::sqrt(source.area),
+    question.place = {degrees(scene.profile.slope_angle), source.head.y() / std::sqrt(source.area),
                       source.front_area / source.area, degrees(scene.material.friction_angle)};
     for (const EffectSetting& setting : effect_settings(scene.effects, scene.profile))
         question.effects += fmt::format("{}{}.{} = {}", question.effects.empty() ? "" : ", ", setting.effect,

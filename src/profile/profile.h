@@ -24,6 +24,9 @@ struct Profile {
     std::size_t crest = 0;  ///< index of the upper edge of the cut in `ground`; <= toe
     std::size_t toe = 0;    ///< index of the foot of the cut; ground[toe] is (0, 0)
 
+    double slope_angle = 0;  ///< mean inclination of the cut from toe to crest, rad; pi/2 for a vertical
+                             ///< face, 0 where there is no face
+
     double toe_chainage_m = 0;
     double toe_elevation_m = 0;
     bool descends_with_chainage = true;  ///< false: the section was mirrored to run out towards +x
@@ -39,30 +42,26 @@ struct Profile {
     [[nodiscard]] Vec2 to_section(const Vec2& local) const;
     /// (chainage, elevation) of the file -> local point.
     [[nodiscard]] Vec2 to_local(const Vec2& section) const;
-    /// Mean inclination of the cut from toe to crest, radians; pi/2 for a vertical face, 0 where there is no
-    /// face.
-    [[nodiscard]] double slope_angle() const;
 };
 
 /// What the user may say about a section beyond its points. NaN = found on the profile.
 ///
-/// How toe and crest are found: a segment belongs to the face when it descends at least half as steeply as
-/// the steepest segment flatter than 85 deg, and at 15 deg or more (45 deg where only vertical steps
-/// descend). The toe is the lower end of the most downhill such segment, the crest the upper end of the most
-/// uphill one, so a berm between two batters and a wall at the foot are part of the cut. A section without
-/// such a segment (a flat bed) has toe and crest at its uphill end. A given chainage replaces the search,
-/// which then stays uphill of a given toe and downhill of a given crest; a point is inserted where the
-/// section has none. On a vertical face the toe is its lower point and the crest its upper one.
+/// How toe and crest are found: find_faces() and placed_ends(). A section without a face (a flat bed) has
+/// toe and crest at its uphill end. A given chainage replaces the search, which then stays uphill of a given
+/// toe and downhill of a given crest; it means the nearest point of the section within 5 cm or 0.2 % of the
+/// relief, whichever is more (but 1 % of the relief at most), or else a point is put in. On a vertical face
+/// the toe is its lower point and the crest its upper one.
 struct ProfileOptions {
     double toe_chainage_m = std::numeric_limits<double>::quiet_NaN();
     double crest_chainage_m = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Profile from points whose chainage never decreases. The section descends from its higher end to its lower
-/// one, or from a given crest to a given toe; a flat one runs out with the chainage. Of three or more points
-/// of one vertical face the inner ones are dropped. Throws InputError: fewer than two points, a
-/// coordinate that is not finite or beyond 1e8 m, overhang, repeated point (within 1e-7 m), a step up and
-/// down at one chainage, no descent, toe or crest not on the section.
+/// Profile from points whose chainage never decreases. The section descends from a given crest to a given
+/// toe, or else the way its heavier face does; without a face from its higher end to its lower one; a flat
+/// one runs out with the chainage. Of three or more points of one vertical face the inner ones are dropped.
+/// Throws InputError: fewer than two points, a coordinate that is not finite or beyond 1e8 m, overhang,
+/// repeated point (within 1e-7 m), a step up and down at one chainage, no descent, toe or crest not on the
+/// section.
 Profile make_profile(const SectionPoints& section, const ProfileOptions& options);
 
 /// CSV with a header naming `chainage_m` and `elevation_m` (any order), metres. `#` starts a comment; blank

@@ -66,7 +66,7 @@ std::string overview(const std::vector<ShownSection>& sections) {
         text +=
             fmt::format("{:<{}}  {:>8.1f}  {:>8.1f}  {:>8.1f}  {:>8.1f}  {:>8.1f}\n", section.name, widest,
                         profile.ground.back().x() - profile.ground.front().x(), profile.toe_chainage_m,
-                        profile.to_section(crest).x(), crest.y(), degrees(profile.slope_angle()));
+                        profile.to_section(crest).x(), crest.y(), degrees(profile.slope_angle));
     }
     return text;
 }

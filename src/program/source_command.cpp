@@ -34,7 +34,7 @@ std::string source_json(const Site& site) {
     const Source& source = site.source;
     const Json object = {
         {"section_origin", site.profile.origin},
-        {"slope_angle_deg", degrees(site.profile.slope_angle())},
+        {"slope_angle_deg", degrees(site.profile.slope_angle)},
         {"source_type", to_string(source.type)},
         {"source_area_m2", source.area},
         {"front_area_m2", source.front_area},
@@ -64,7 +64,7 @@ std::string points_text(const Profile& profile, const Polyline& local) {
 std::string source_text(const Site& site) {
     const auto& [profile, source, assumed] = site;
     std::string text = fmt::format("Source of type {} on {}\n", to_string(source.type), profile.origin);
-    text += fmt::format("  slope angle    {:.4g} deg\n", degrees(profile.slope_angle()));
+    text += fmt::format("  slope angle    {:.4g} deg\n", degrees(profile.slope_angle));
     text += fmt::format("  area S_0       {:.6g} m2\n", source.area);
     text +=
         fmt::format("  S_front        {:.6g} m2, {:.5f} of S_0 (plane at {:.4g} deg)\n", source.front_area,

@@ -23,6 +23,10 @@ constexpr const char* stage_html =
 <div class="scale"><span id="animation-low"></span><canvas id="animation-scale" width="256" height="14" aria-hidden="true"></canvas><span id="animation-high"></span></div>
 )";
 
+std::string how_known(const std::string& origin) {
+    return origin.empty() ? "found or given" : origin;
+}
+
 PageChart chart(const char* id, const char* title, const char* y_label, std::vector<Curve> curves,
                 const char* caption) {
     return {id, {id, title, "time, s", y_label, std::move(curves)}, false, caption};
@@ -55,10 +59,12 @@ PageSection picture_section(const RunData& run) {
         "<figure class=\"drawing\">" + svg_chart(section_figure(run)) + "<figcaption>" +
         html_text(fmt::format(
             "One metre is as long across as upwards. The toe of the cut is at chainage {:.6g} m, elevation "
-            "{:.6g} m of {}. The discontinuity line rises at {:.4g} deg from where the slip "
+            "{:.6g} m of {} ({}), its crest at chainage {:.6g} m ({}): a face of {:.4g} m at {:.1f} deg. The "
+            "discontinuity line rises at {:.4g} deg from where the slip "
             "surface daylights.",
-            profile.toe_chainage_m, profile.toe_elevation_m, profile.origin,
-            run.run.discontinuity_angle_deg)) +
+            profile.toe_chainage_m, profile.toe_elevation_m, profile.origin, how_known(run.run.toe_origin),
+            run.run.crest_chainage_m, how_known(run.run.crest_origin), run.run.face_height_m,
+            run.run.slope_angle_deg, run.run.discontinuity_angle_deg)) +
         "</figcaption></figure>\n";
     return {"section", "Section, source and deposit", body, {}, {}};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "report/table.h"
 
@@ -26,6 +27,18 @@ std::string front_line(const StoredRun& run) {
     return fmt::format(
         "{}: the front stops {:.4g} m past the toe, {:.3g} times the square root of the deposit's area.\n",
         title(run), m.run_out_m, m.run_out_normalised);
+}
+
+/// Where the run-out counts from, and what speaks against it.
+std::string face_lines(const StoredRun& run) {
+    const auto origin = [](const std::string& word) { return word.empty() ? "" : ", " + word; };
+    std::string text = fmt::format(
+        "Toe at chainage {:.6g} m, elevation {:.5g} m{}; crest at {:.6g} m{}; face {:.4g} m high, {:.1f} "
+        "deg.\n",
+        run.toe_chainage_m, run.toe_elevation_m, origin(run.toe_origin), run.crest_chainage_m,
+        origin(run.crest_origin), run.face_height_m, run.slope_angle_deg);
+    for (const std::string& doubt : section_doubts(run)) text += "WARNING: " + doubt + "\n";
+    return text;
 }
 
 std::string deposit_lines(const StoredRun& run) {
@@ -62,11 +75,9 @@ std::string error_lines(const StoredRun& run) {
 
 std::string source_line(const StoredRun& run) {
     const Measures& m = run.measures;
-    return fmt::format(
-        "Source {}: {:.4g} m2, drop height {:.4g} m, S_front/S {:.3f}; slope {:.1f} deg, friction {:.1f} "
-        "deg.\n",
-        run.source_type, m.source_area_m2, m.drop_height_m, m.front_area_ratio, run.slope_angle_deg,
-        run.friction_angle_deg);
+    return fmt::format("Source {}: {:.4g} m2, drop height {:.4g} m, S_front/S {:.3f}; friction {:.1f} deg.\n",
+                       run.source_type, m.source_area_m2, m.drop_height_m, m.front_area_ratio,
+                       run.friction_angle_deg);
 }
 
 std::string gauge_line(const GaugeRecord& gauge) {
@@ -144,6 +155,13 @@ std::string failed_lines(const StoredRun& run) {
 
 }  // namespace
 
+std::vector<std::string> section_doubts(const StoredRun& run) {
+    std::vector<std::string> doubts;
+    std::istringstream text(run.section_doubts);
+    for (std::string line; std::getline(text, line);) doubts.push_back(line);
+    return doubts;
+}
+
 std::string resolution_warning(const StoredRun& run) {
     const double along = std::sqrt(run.measures.source_area_m2) / run.work.particle_spacing_m;
     if (along < coarse_particles_along_root_area)
@@ -184,8 +202,8 @@ std::string run_summary(const StoredRun& run) {
     if (run.status == RunStatus::stable)
         return fmt::format("{}: the source stands at this strength: no run-out.\n", title(run)) +
                source_line(run) + effect_lines(run) + work_line(run);
-    return front_line(run) + deposit_lines(run) + error_lines(run) + source_line(run) + effect_lines(run) +
-           work_line(run) + resolution_line(run);
+    return front_line(run) + face_lines(run) + deposit_lines(run) + error_lines(run) + source_line(run) +
+           effect_lines(run) + work_line(run) + resolution_line(run);
 }
 
 }  // namespace runout

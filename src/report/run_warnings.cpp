@@ -45,6 +45,7 @@ std::vector<std::string> run_warnings(const RunData& run) {
         warnings.push_back(fmt::format("This run ended as {}: {}{}{}. Its numbers are not a result.",
                                        to_string(run.run.status), status_reason(run.run.status),
                                        run.run.status_detail.empty() ? "" : "; ", run.run.status_detail));
+    for (const std::string& doubt : section_doubts(run.run)) warnings.push_back(doubt);
     const std::string coarse = resolution_warning(run.run);
     if (is_result(run.run.status) && !coarse.empty()) warnings.push_back(coarse);
     add_front_plane(warnings, run.run);

@@ -142,10 +142,12 @@ std::string section_text(const SectionView& view) {
     std::string text = fmt::format("{}\n", profile.origin);
     text += fmt::format("  length         {:.6g} m, {} points\n",
                         profile.ground.back().x() - profile.ground.front().x(), profile.ground.size());
-    text += fmt::format("  toe            {}\n", point_text(profile, profile.ground[profile.toe]));
-    text +=
-        fmt::format("  crest          {}, {:.4g} m above the toe\n", point_text(profile, crest), crest.y());
-    text += fmt::format("  face           {:.4g} deg from toe to crest\n", degrees(profile.slope_angle()));
+    text += fmt::format("  toe            {}, {}\n", point_text(profile, profile.ground[profile.toe]),
+                        profile.toe_given ? "given" : "found");
+    text += fmt::format("  crest          {}, {}, {:.4g} m above the toe\n", point_text(profile, crest),
+                        profile.crest_given ? "given" : "found", crest.y());
+    text += fmt::format("  face           {:.4g} deg from toe to crest\n", degrees(profile.slope_angle));
+    for (const std::string& doubt : profile.doubts) text += "WARNING: " + doubt + "\n";
     if (view.source == nullptr) return text;
     const Source& source = *view.source;
     text += fmt::format("  source         type {}, {:.6g} m2, head {}\n", to_string(source.type), source.area,

@@ -22,6 +22,9 @@ std::string run_json(const StoredRun& run);
 /// A few lines for people: how far, how thick, how sure, how long it took.
 std::string run_summary(const StoredRun& run);
 
+/// What speaks against the toe and crest that a run counts from, a sentence each.
+std::vector<std::string> section_doubts(const StoredRun& run);
+
 /// A sentence when the particles were too coarse for the front; empty otherwise.
 std::string resolution_warning(const StoredRun& run);
 

@@ -1,4 +1,5 @@
 #include <fmt/chrono.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -22,18 +23,30 @@ Clock::duration wall_time(const RunWork& work) {
     return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(work.wall_s));
 }
 
+void describe_section(StoredRun& run, const Profile& profile) {
+    run.section_origin = profile.origin;
+    if (profile.map_line) run.section_attributes = profile.map_line->attributes;
+    run.slope_angle_deg = degrees(profile.slope_angle);
+    run.toe_chainage_m = profile.toe_chainage_m;
+    run.toe_elevation_m = profile.toe_elevation_m;
+    run.crest_chainage_m = profile.to_section(profile.ground[profile.crest]).x();
+    run.face_height_m = profile.ground[profile.crest].y();
+    run.toe_origin = profile.toe_given ? "given" : "found";
+    run.crest_origin = profile.crest_given ? "given" : "found";
+    run.section_read_as = profile.read_as;
+    run.section_doubts = fmt::format("{}", fmt::join(profile.doubts, "\n"));
+}
+
 }  // namespace
 
 StoredRun describe_run(const Scene& scene, const RunResult& result, const Appraisal& appraisal) {
     const Clock::time_point now = Clock::now();
     StoredRun run;
     run.name = scene.name;
-    run.section_origin = scene.profile.origin;
-    if (scene.profile.map_line) run.section_attributes = scene.profile.map_line->attributes;
     run.source_type = to_string(scene.source.type);
     run.discontinuity_angle_deg = degrees(scene.source.discontinuity_angle);
     run.drop_height_datum = to_string(scene.source.datum);
-    run.slope_angle_deg = degrees(scene.profile.slope_angle());
+    describe_section(run, scene.profile);
     run.friction_angle_deg = degrees(scene.material.friction_angle);
     run.scenario_hash = scenario_hash(scene);
     run.started_utc = utc(now - wall_time(result.work));

@@ -280,6 +280,33 @@ FROM run JOIN scenario USING (scenario_id) WHERE release_layers IS NOT NULL;
         Migration{7, R"(
 ALTER TABLE scenario ADD COLUMN sleeping INTEGER NOT NULL DEFAULT 0;
 )"},
+        Migration{8, R"(
+ALTER TABLE run ADD COLUMN toe_origin TEXT NOT NULL DEFAULT '' CHECK (toe_origin IN ('found', 'given', ''));
+ALTER TABLE run ADD COLUMN crest_origin TEXT NOT NULL DEFAULT '' CHECK (crest_origin IN ('found', 'given', ''));
+ALTER TABLE run ADD COLUMN section_read_as TEXT NOT NULL DEFAULT '';
+ALTER TABLE run ADD COLUMN section_doubts TEXT NOT NULL DEFAULT '';
+CREATE VIEW section_face AS
+SELECT section_id, toe_chainage_m, toe_elevation_m,
+       toe_chainage_m + CASE descends_with_chainage WHEN 1 THEN x_m ELSE -x_m END AS crest_chainage_m,
+       y_m AS face_height_m, slope_angle_deg
+FROM section JOIN section_point USING (section_id)
+WHERE point_index = crest_index;
+DROP VIEW result;
+CREATE VIEW result AS
+SELECT run.name, run.section_origin, source.source_type, source.discontinuity_angle_deg, source.drop_height_datum,
+       section.slope_angle_deg, section_face.toe_chainage_m, section_face.crest_chainage_m,
+       section_face.face_height_m, run.toe_origin, run.crest_origin, run.section_doubts,
+       scenario.friction_angle_deg, run.status, run.run_out_error_m, run.reach_angle_error_deg, run.error_origin,
+       measure.*
+FROM run
+JOIN run_status USING (status)
+JOIN scenario USING (scenario_id)
+JOIN source USING (source_id)
+JOIN section USING (section_id)
+JOIN section_face USING (section_id)
+JOIN measure USING (run_id)
+WHERE run_status.is_result = 1;
+)"},
     };
     return steps;
 }

@@ -54,6 +54,10 @@ constexpr std::array text_columns = {
     TextColumn{"compiler", &StoredRun::compiler},
     TextColumn{"status_detail", &StoredRun::status_detail},
     TextColumn{"machine", &StoredRun::machine},
+    TextColumn{"toe_origin", &StoredRun::toe_origin},
+    TextColumn{"crest_origin", &StoredRun::crest_origin},
+    TextColumn{"section_read_as", &StoredRun::section_read_as},
+    TextColumn{"section_doubts", &StoredRun::section_doubts},
 };
 
 void bind_work(Statement& statement, int& place, const RunWork& work) {
@@ -161,6 +165,10 @@ std::string select_runs_sql(const char* condition) {
                                       "source.discontinuity_angle_deg",
                                       "source.drop_height_datum",
                                       "section.slope_angle_deg",
+                                      "section.toe_chainage_m",
+                                      "section.toe_elevation_m",
+                                      "section_face.crest_chainage_m",
+                                      "section_face.face_height_m",
                                       "scenario.friction_angle_deg",
                                       "run.host_threads"};
     for (const auto& column : text_columns) names.push_back(fmt::format("run.{}", column.name));
@@ -170,7 +178,8 @@ std::string select_runs_sql(const char* condition) {
     for (const auto& field : measure_fields()) names.push_back(fmt::format("measure.{}", field.name));
     return fmt::format(
         "SELECT {} FROM run JOIN measure USING (run_id) JOIN scenario USING (scenario_id)"
-        " JOIN source USING (source_id) JOIN section USING (section_id) {} ORDER BY run.run_id",
+        " JOIN source USING (source_id) JOIN section USING (section_id) JOIN section_face USING (section_id) "
+        "{} ORDER BY run.run_id",
         fmt::join(names, ", "), condition);
 }
 
@@ -185,6 +194,10 @@ StoredRun read_run(const Statement& row) {
     run.discontinuity_angle_deg = row.getColumn(place++).getDouble();
     run.drop_height_datum = row.getColumn(place++).getString();
     run.slope_angle_deg = row.getColumn(place++).getDouble();
+    run.toe_chainage_m = row.getColumn(place++).getDouble();
+    run.toe_elevation_m = row.getColumn(place++).getDouble();
+    run.crest_chainage_m = row.getColumn(place++).getDouble();
+    run.face_height_m = row.getColumn(place++).getDouble();
     run.friction_angle_deg = row.getColumn(place++).getDouble();
     run.host_threads = row.getColumn(place++).getInt();
     for (const auto& column : text_columns) run.*column.value = row.getColumn(place++).getString();

@@ -50,8 +50,8 @@ std::string sha256_hex(const std::string& text) {
 
 std::string section_text(const Profile& profile) {
     // How the ground was read and its toe was chosen does not matter, but what came of it.
-    const auto& [ground, crest, toe, toe_chainage, toe_elevation, descends, origin, read_as, toe_given,
-                 crest_given, doubts, map_line] = profile;
+    const auto& [ground, crest, toe, slope_angle, toe_chainage, toe_elevation, descends, origin, read_as,
+                 toe_given, crest_given, doubts, map_line] = profile;
     CanonicalText text;
     text.add("crest", static_cast<double>(crest));
     text.add("toe", static_cast<double>(toe));

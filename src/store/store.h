@@ -57,6 +57,14 @@ struct StoredRun {
     double discontinuity_angle_deg = 0;  ///< of the plane that bounds front_area_m2
     std::string drop_height_datum;       ///< point of the source that drop_height_m is measured to
     double slope_angle_deg = 0;
+    double toe_chainage_m = 0;
+    double toe_elevation_m = 0;
+    double crest_chainage_m = 0;
+    double face_height_m = 0;     ///< crest above toe
+    std::string toe_origin;       ///< found or given; empty: not known, as the run is older than the question
+    std::string crest_origin;     ///< the same
+    std::string section_read_as;  ///< as Profile::read_as
+    std::string section_doubts;   ///< as Profile::doubts, a line each
     double friction_angle_deg = 0;
     std::string scenario_hash;
     std::string started_utc;  ///< ISO 8601, "2024-05-31T09:30:00Z"

@@ -59,7 +59,7 @@ long insert_section(Database& database, const Profile& profile, const std::strin
         " crest_index, toe_index, slope_angle_deg) VALUES (?, ?, ?, ?, ?, ?, ?)");
     SQLite::bind(statement, hash, profile.toe_chainage_m, profile.toe_elevation_m,
                  static_cast<int>(profile.descends_with_chainage), static_cast<long>(profile.crest),
-                 static_cast<long>(profile.toe), degrees(profile.slope_angle()));
+                 static_cast<long>(profile.toe), degrees(profile.slope_angle));
     const long section_id = insert(database, statement);
     insert_section_points(database, section_id, profile.ground);
     return section_id;
