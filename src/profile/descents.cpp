@@ -10,6 +10,8 @@ constexpr double adjoining = 1.0 / 12;      // of the relief: as far as parts of
 constexpr double narrowest_berm = 0.02;     // of the relief
 constexpr double widest_berm_share = 0.6;   // of the height of the lower of the two parts that it joins
 constexpr double highest_bund_share = 0.2;  // of the same: how much the ground between may rise
+constexpr double widest_hole = 0.1;         // of the relief
+constexpr double shallowest_hole = 0.02;    // of the relief: less is noise
 constexpr double lesser = 0.5;              // of the highest part
 constexpr double farthest_lesser = 0.1;     // of the relief
 
@@ -140,6 +142,27 @@ double length_below(const Polyline& ground, double level) {
     return length;
 }
 
+/// Raises the points of holes to their left rim, where the right one is as high or higher.
+void fill_from_left(const Polyline& ground, double relief, Polyline& filled) {
+    const double wide = widest_hole * relief;
+    for (std::size_t rim = 0; rim + 2 < ground.size(); ++rim) {
+        const double level = ground[rim].y();
+        if (ground[rim + 1].y() >= level || filled[rim + 1].y() >= level) continue;
+        double lowest = level;
+        std::size_t end = rim + 1;
+        for (; end < ground.size() && ground[end].y() < level; ++end) {
+            if (ground[end].x() > ground[rim].x() + wide) break;
+            lowest = std::min(lowest, ground[end].y());
+        }
+        if (end == ground.size() || ground[end].y() < level) continue;  // no rim within reach
+        const Vec2& a = ground[end - 1];
+        const Vec2& b = ground[end];
+        const double far_rim = a.x() + (b.x() - a.x()) * ((level - a.y()) / (b.y() - a.y()));
+        if (far_rim > ground[rim].x() + wide || level - lowest < shallowest_hole * relief) continue;
+        for (std::size_t i = rim + 1; i < end; ++i) filled[i].y() = std::max(filled[i].y(), level);
+    }
+}
+
 }  // namespace
 
 double drop_of(const Polyline& ground, const Descent& descent) {
@@ -164,6 +187,17 @@ double relief_of(const Polyline& ground) {
         (length_below(ground, middle) > most ? high : low) = middle;
     }
     return highest.y() - high;
+}
+
+Polyline without_holes(const Polyline& ground, double relief) {
+    Polyline filled = ground;
+    fill_from_left(ground, relief, filled);
+    Polyline turned(ground.rbegin(), ground.rend());
+    Polyline turned_filled(filled.rbegin(), filled.rend());
+    for (Vec2& p : turned) p.x() = -p.x();
+    fill_from_left(turned, relief, turned_filled);
+    for (std::size_t i = 0; i < filled.size(); ++i) filled[i].y() = turned_filled[filled.size() - 1 - i].y();
+    return filled;
 }
 
 std::vector<Descent> descents(const Polyline& ground, double slope, double relief) {

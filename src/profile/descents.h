@@ -26,6 +26,10 @@ double run_of(const Polyline& ground, const Descent& descent);
 /// count. The ground goes from left to right without overhang.
 double relief_of(const Polyline& ground);
 
+/// The same points, with those in cracks, drains and ditches (no wider than a tenth of the relief, and deeper
+/// than a fiftieth) raised to the level of the lower rim.
+Polyline without_holes(const Polyline& ground, double relief);
+
 /// All descents steeper than `slope` (fall over length), those that belong together as one. With y + slope x
 /// in place of the elevation, a descent falls and what is flatter rises. A descent ends where nothing lower
 /// (in that sense) comes within a twelfth of the relief. Two of them belong together when what lies between

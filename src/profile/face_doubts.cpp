@@ -12,11 +12,12 @@
 namespace runout {
 namespace {
 
-constexpr double worth_naming = 0.25;   // of the weight of the chosen face
-constexpr double nested_counts = 0.5;   // the same, for one that holds it or is a part of it
-constexpr double apart = 0.1;           // of the relief: toes and crests nearer than this are one
-constexpr double worth_doubting = 0.5;  // length of a berm over the height of the lower part beside it
-constexpr double given_apart = 0.25;    // of the relief
+constexpr double worth_naming = 1.0 / 3;  // of the height of the chosen face
+constexpr double other_side = 0.25;       // of its weight
+constexpr double nested_counts = 0.8;     // of its weight, for one that holds it or is a part of it
+constexpr double apart = 0.1;             // of the relief: toes and crests nearer than this are one
+constexpr double worth_doubting = 0.5;    // length of a berm over the height of the lower part beside it
+constexpr double given_apart = 0.25;      // of the relief
 constexpr std::size_t most_named = 3;
 
 // Which part of the inclination of the face still counts as its part, beside one half.
@@ -49,7 +50,8 @@ bool could_be_meant(const GroundSeen& seen, const Face& chosen, const Face& othe
         return false;  // a wall in the cut
     if (!far(chosen.ends.toe, other.ends.toe) && !far(chosen.ends.crest, other.ends.crest)) return false;
     const bool overlap = other.ends.crest < chosen.ends.toe && chosen.ends.crest < other.ends.toe;
-    return other.weight >= (overlap ? nested_counts : worth_naming) * chosen.weight;
+    return overlap ? other.weight >= nested_counts * chosen.weight
+                   : other.height >= worth_naming * chosen.height;
 }
 
 void add_doubt_of_others(std::vector<std::string>& doubts, const GroundSeen& seen,
@@ -65,7 +67,8 @@ void add_doubt_of_others(std::vector<std::string>& doubts, const GroundSeen& see
 }
 
 void add_doubt_of_berm(std::vector<std::string>& doubts, const GroundSeen& seen, const Face& face) {
-    const Berm berm = widest_berm(seen.ground, std::tan(face.inclination / 2), seen.relief, face.ends);
+    const Berm berm = widest_berm(without_holes(seen.ground, seen.relief), std::tan(face.inclination / 2),
+                                  seen.relief, face.ends);
     if (berm.share <= worth_doubting) return;
     doubts.push_back(
         fmt::format("The level stretch from chainage {:.6g} to {:.6g} was taken to be a berm of the cut; if "
@@ -76,11 +79,12 @@ void add_doubt_of_berm(std::vector<std::string>& doubts, const GroundSeen& seen,
 }
 
 void add_doubt_of_toe(std::vector<std::string>& doubts, const GroundSeen& seen, const Face& face) {
+    const Polyline ground = without_holes(seen.ground, seen.relief);
     for (const double share : other_shares)
-        for (const Descent& other : descents(seen.ground, std::tan(share * face.inclination), seen.relief)) {
+        for (const Descent& other : descents(ground, std::tan(share * face.inclination), seen.relief)) {
             if (other.crest >= face.ends.toe || other.toe <= face.ends.crest) continue;
             const double moved = std::abs(seen.ground[other.toe].x() - seen.ground[face.ends.toe].x());
-            const bool main_part = drop_of(seen.ground, other) >= face.height / 2;
+            const bool main_part = drop_of(ground, other) >= face.height / 2;
             if (!main_part || moved <= apart * seen.relief) continue;
             doubts.push_back(
                 fmt::format("The toe of the cut is not sharp: it was taken to be at chainage {:.6g}, but "
@@ -103,7 +107,7 @@ std::vector<std::string> doubts_about(const GroundSeen& seen, const std::vector<
 
 void add_doubt_of_other_side(std::vector<std::string>& doubts, const Face& chosen, const GroundSeen& other,
                              const Face& face) {
-    if (face.weight < worth_naming * chosen.weight) return;
+    if (face.weight < other_side * chosen.weight) return;
     doubts.push_back(
         fmt::format("The section has a slope on either side; the other one, {}, is what soil would run "
                     "towards or past: name it if "

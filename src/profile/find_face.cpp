@@ -16,7 +16,6 @@ constexpr double nearly_vertical = radians(85.0);
 constexpr double flattest_face = radians(15.0);
 constexpr double similar_weight = 0.6;
 constexpr double same_toe = 0.1;  // of the relief
-constexpr double way_back = 0.1;  // of the relief: a hole is no wider
 
 // Where the search for the inclination of the face begins.
 constexpr std::array<double, 4> first_guesses = {radians(20.0), radians(40.0), radians(60.0), radians(90.0)};
@@ -46,19 +45,11 @@ bool heavier(const Face& a, const Face& b) {
     return a.weight != b.weight ? a.weight > b.weight : a.ends.toe < b.ends.toe;
 }
 
-/// A side of a crack, a drain or a trench: the ground comes up again at once.
-bool is_side_of_hole(const Polyline& ground, const Face& face, double relief) {
-    const double foot = ground[face.ends.toe].y();
-    const double limit = ground[face.ends.toe].x() + way_back * relief;
-    for (std::size_t i = face.ends.toe + 1; i < ground.size() && ground[i].x() <= limit; ++i)
-        if (ground[i].y() >= foot + face.height / 2) return true;
-    return false;
-}
-
 /// Descents for one slope after another, each looked for once.
 class Search {
   public:
-    explicit Search(const Polyline& ground) : ground_(ground), relief_(relief_of(ground)) {}
+    explicit Search(const Polyline& ground)
+        : relief_(relief_of(ground)), ground_(without_holes(ground, relief_)) {}
 
     [[nodiscard]] double relief() const { return relief_; }
 
@@ -82,7 +73,7 @@ class Search {
             face = *next;
         }
         const double mean = std::atan2(face.height, run_of(ground_, face.ends));
-        if (mean < flattest_face || is_side_of_hole(ground_, face, relief_)) return std::nullopt;
+        if (mean < flattest_face) return std::nullopt;
         return face;
     }
 
@@ -101,8 +92,8 @@ class Search {
         return nearest;
     }
 
-    const Polyline& ground_;
     double relief_;
+    Polyline ground_;
     std::map<double, std::vector<Face>> by_inclination_;
 };
 
