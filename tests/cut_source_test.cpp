@@ -219,6 +219,60 @@ TEST(TypeB, BaseThatRunsIntoABermIsRefused) {
 
 // ---- rectangle and type A
 
+TEST(TypeB, OnLevelGroundSaysWhereItsBaseCouldBegin) {
+    ProfileOptions options;
+    options.toe_chainage_m = 45;
+    const Profile profile =
+        make_profile({{{0, 32}, {30, 32}, {41.547, 12}, {201, 12}}, {}, "section.csv"}, options);
+    for (const double area : {SourceSpec::unset, 20.0}) {
+        SourceSpec spec = type_b();
+        spec.area = area;
+        const std::string error = error_of(profile, spec);
+        EXPECT_PRED2(contains, error, "exit point P at [45, 12]");
+        EXPECT_PRED2(contains, error,
+                     "foot of the steep part, [41.547, 12]: give section.toe_chainage_m = 41.547");
+        EXPECT_FALSE(contains(error, "at most 0")) << error;
+    }
+}
+
+TEST(TypeB, OnABermSaysWhereItsBaseCouldBegin) {
+    const Profile profile = shipped("cut-berm.csv");
+    SourceSpec spec = type_b();
+    spec.datum = DropDatum::base;
+    spec.drop_height = 9.9;  // the outer edge of the berm
+    spec.area = 10;
+    const std::string error = error_of(profile, spec);
+    EXPECT_PRED2(contains, error, "flatter than the base");
+    EXPECT_PRED2(contains, error, "source.drop_height_m = 10 with source.drop_height_datum = base");
+    EXPECT_FALSE(contains(error, "at most 0")) << error;
+    spec.drop_height = 10;
+    EXPECT_NO_THROW(derive_source(profile, spec));
+}
+
+TEST(TypeB, AnExitPointThatMissesTheFootByAReadingErrorIsMended) {
+    const Profile profile =
+        profile_of({{0, 40}, {20, 40}, {26, 30}, {29, 29.9}, {29.04, 29.89}, {35, 20}, {120, 20}});
+    SourceSpec spec = type_b();
+    spec.datum = DropDatum::base;
+    spec.drop_height = 9.89;
+    spec.area = 3;
+    EXPECT_PRED2(contains, error_of(profile, spec), "flatter than the base");  // 3 m of berm above it
+    const Profile notched = profile_of({{0, 40}, {30, 40}, {41.5, 20.01}, {41.54, 20}, {120, 20}});
+    EXPECT_NO_THROW(derive_source(notched, type_b()));
+}
+
+TEST(TypeB, OnAVerticalWallCutsWhatLiesAboveItsBase) {
+    const Profile profile = shipped("cut-wall.csv");
+    for (const double height : {0.5, 2.0, 3.5}) {
+        SourceSpec spec = type_b();
+        spec.datum = DropDatum::base;
+        spec.drop_height = height;
+        const Source source = derive_source(profile, spec);
+        EXPECT_NEAR(source.exit_point.y(), height, 1e-12);
+        expect_cut_from_ground(source, profile);
+    }
+}
+
 TEST(Rectangle, LiesOnTheFaceWithItsHeadAtTheCrest) {
     const Profile profile = shipped("box-70.csv");
     const Source s = derive_source(profile, box(0.1, 0.05));

@@ -296,6 +296,23 @@ TEST(ChoiceOfFace, AWallInAnEasierCutIsPartOfIt) {
     EXPECT_EQ(p.toe_elevation_m, 10);
 }
 
+TEST(ChoiceOfFace, ADeepValleyFarBelowDoesNotBlurTheFoot) {
+    // The relief of the section is four times that of the cut; a kerb lies 2.5 m beyond the toe.
+    for (const double face : {25.0, 35.0, 60.0}) {
+        const double foot = 30 + 20 / std::tan(radians(face));
+        const Profile p = profile_of({{0, 100},
+                                      {30, 100},
+                                      {foot, 80},
+                                      {foot + 2.5, 80},
+                                      {foot + 2.5, 79},
+                                      {foot + 40, 79},
+                                      {foot + 400, 20},
+                                      {foot + 500, 20}});
+        EXPECT_EQ(p.toe_chainage_m, foot) << face;
+        EXPECT_EQ(crest_chainage(p), 30) << face;
+    }
+}
+
 TEST(ChoiceOfFace, ADeepCrackIsNoFaceAndMovesNoToe) {
     const Profile p = profile_of(
         {{0, 32}, {30, 32}, {41.547, 12}, {46, 12}, {46, -28}, {46.01, -28}, {46.01, 12}, {201, 12}});

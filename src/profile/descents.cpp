@@ -6,14 +6,14 @@
 namespace runout {
 namespace {
 
-constexpr double adjoining = 1.0 / 12;      // of the relief: as far as parts of one descent lie apart
-constexpr double narrowest_berm = 0.02;     // of the relief
+constexpr double adjoining = 1.0 / 12;      // of the scale: as far as parts of one descent lie apart
+constexpr double narrowest_berm = 0.02;     // of the scale
 constexpr double widest_berm_share = 0.6;   // of the height of the lower of the two parts that it joins
 constexpr double highest_bund_share = 0.2;  // of the same: how much the ground between may rise
 constexpr double widest_hole = 0.1;         // of the relief
 constexpr double shallowest_hole = 0.02;    // of the relief: less is noise
 constexpr double lesser = 0.5;              // of the highest part
-constexpr double farthest_lesser = 0.1;     // of the relief
+constexpr double farthest_lesser = 0.1;     // of the scale
 
 /// Elevation above a plane that falls with `slope` to the right: what is steeper than the plane falls.
 class Tilted {
@@ -86,22 +86,22 @@ bool is_berm_between(const Polyline& ground, const Descent& upper, const Descent
 using Flight = std::vector<Descent>;
 
 /// Drop of the highest part between two berms, however narrow they are.
-double highest_batter(const Polyline& ground, const Flight& flight, double slope, double relief) {
+double highest_batter(const Polyline& ground, const Flight& flight, double slope, double scale) {
     const Polyline part(ground.begin() + static_cast<long>(flight.front().crest),
                         ground.begin() + static_cast<long>(flight.back().toe) + 1);
     double highest = 0;
-    for (const Descent& batter : single_descents(part, slope, narrowest_berm * relief))
+    for (const Descent& batter : single_descents(part, slope, narrowest_berm * scale))
         highest = std::max(highest, drop_of(part, batter));
     return highest;
 }
 
 /// Small parts at its ends that lie apart become flights of their own.
 std::vector<Flight> without_lesser_ends(const Polyline& ground, const Flight& flight, double slope,
-                                        double relief) {
-    const double highest = highest_batter(ground, flight, slope, relief);
+                                        double scale) {
+    const double highest = highest_batter(ground, flight, slope, scale);
     const auto apart = [&](const Descent& part, const Descent& upper, const Descent& lower) {
         return drop_of(ground, part) < lesser * highest &&
-               gap_between(ground, upper, lower) >= farthest_lesser * relief;
+               gap_between(ground, upper, lower) >= farthest_lesser * scale;
     };
     std::size_t first = 0;
     std::size_t last = flight.size() - 1;
@@ -115,15 +115,15 @@ std::vector<Flight> without_lesser_ends(const Polyline& ground, const Flight& fl
     return parts;
 }
 
-std::vector<Flight> flights(const Polyline& ground, double slope, double relief) {
+std::vector<Flight> flights(const Polyline& ground, double slope, double scale) {
     std::vector<Flight> joined;
-    for (const Descent& single : single_descents(ground, slope, adjoining * relief)) {
+    for (const Descent& single : single_descents(ground, slope, adjoining * scale)) {
         if (joined.empty() || !is_berm_between(ground, joined.back().back(), single)) joined.emplace_back();
         joined.back().push_back(single);
     }
     std::vector<Flight> found;
     for (const Flight& flight : joined)
-        for (Flight& part : without_lesser_ends(ground, flight, slope, relief))
+        for (Flight& part : without_lesser_ends(ground, flight, slope, scale))
             found.push_back(std::move(part));
     return found;
 }
@@ -200,16 +200,16 @@ Polyline without_holes(const Polyline& ground, double relief) {
     return filled;
 }
 
-std::vector<Descent> descents(const Polyline& ground, double slope, double relief) {
+std::vector<Descent> descents(const Polyline& ground, double slope, double scale) {
     std::vector<Descent> found;
-    for (const Flight& flight : flights(ground, slope, relief))
+    for (const Flight& flight : flights(ground, slope, scale))
         found.push_back({flight.front().crest, flight.back().toe});
     return found;
 }
 
-Berm widest_berm(const Polyline& ground, double slope, double relief, const Descent& whole) {
+Berm widest_berm(const Polyline& ground, double slope, double scale, const Descent& whole) {
     Berm widest;
-    for (const Flight& flight : flights(ground, slope, relief)) {
+    for (const Flight& flight : flights(ground, slope, scale)) {
         if (flight.front().crest < whole.crest || flight.back().toe > whole.toe) continue;
         for (std::size_t i = 1; i < flight.size(); ++i) {
             const double height = std::min(drop_of(ground, flight[i - 1]), drop_of(ground, flight[i]));

@@ -15,9 +15,9 @@ namespace {
 constexpr double worth_naming = 1.0 / 3;  // of the height of the chosen face
 constexpr double other_side = 0.25;       // of its weight
 constexpr double nested_counts = 0.8;     // of its weight, for one that holds it or is a part of it
-constexpr double apart = 0.1;             // of the relief: toes and crests nearer than this are one
+constexpr double apart = 0.1;             // of the scale: toes and crests nearer than this are one
 constexpr double worth_doubting = 0.5;    // length of a berm over the height of the lower part beside it
-constexpr double given_apart = 0.25;      // of the relief
+constexpr double given_apart = 0.25;      // of the scale
 constexpr std::size_t most_named = 3;
 
 // Which part of the inclination of the face still counts as its part, beside one half.
@@ -43,7 +43,7 @@ std::string described_with_key(const GroundSeen& seen, const Face& face) {
 
 bool could_be_meant(const GroundSeen& seen, const Face& chosen, const Face& other) {
     const auto far = [&](std::size_t a, std::size_t b) {
-        return std::abs(seen.ground[a].x() - seen.ground[b].x()) > apart * seen.relief;
+        return std::abs(seen.ground[a].x() - seen.ground[b].x()) > apart * seen.scale;
     };
     if (other.inclination == std::numbers::pi / 2 && chosen.ends.crest <= other.ends.crest &&
         other.ends.toe <= chosen.ends.toe)
@@ -67,8 +67,8 @@ void add_doubt_of_others(std::vector<std::string>& doubts, const GroundSeen& see
 }
 
 void add_doubt_of_berm(std::vector<std::string>& doubts, const GroundSeen& seen, const Face& face) {
-    const Berm berm = widest_berm(without_holes(seen.ground, seen.relief), std::tan(face.inclination / 2),
-                                  seen.relief, face.ends);
+    const Berm berm = widest_berm(without_holes(seen.ground, seen.scale), std::tan(face.inclination / 2),
+                                  seen.scale, face.ends);
     if (berm.share <= worth_doubting) return;
     doubts.push_back(
         fmt::format("The level stretch from chainage {:.6g} to {:.6g} was taken to be a berm of the cut; if "
@@ -79,13 +79,13 @@ void add_doubt_of_berm(std::vector<std::string>& doubts, const GroundSeen& seen,
 }
 
 void add_doubt_of_toe(std::vector<std::string>& doubts, const GroundSeen& seen, const Face& face) {
-    const Polyline ground = without_holes(seen.ground, seen.relief);
+    const Polyline ground = without_holes(seen.ground, seen.scale);
     for (const double share : other_shares)
-        for (const Descent& other : descents(ground, std::tan(share * face.inclination), seen.relief)) {
+        for (const Descent& other : descents(ground, std::tan(share * face.inclination), seen.scale)) {
             if (other.crest >= face.ends.toe || other.toe <= face.ends.crest) continue;
             const double moved = std::abs(seen.ground[other.toe].x() - seen.ground[face.ends.toe].x());
             const bool main_part = drop_of(ground, other) >= face.height / 2;
-            if (!main_part || moved <= apart * seen.relief) continue;
+            if (!main_part || moved <= apart * seen.scale) continue;
             doubts.push_back(
                 fmt::format("The toe of the cut is not sharp: it was taken to be at chainage {:.6g}, but "
                             "could as well be at {:.6g}; "
@@ -117,7 +117,7 @@ void add_doubt_of_other_side(std::vector<std::string>& doubts, const Face& chose
 
 std::vector<std::string> doubts_about_given_toe(const GroundSeen& seen, const Face& face, std::size_t toe) {
     const double beyond = seen.ground[toe].x() - seen.ground[face.ends.toe].x();
-    if (beyond <= given_apart * seen.relief) return {};
+    if (beyond <= given_apart * seen.scale) return {};
     return {fmt::format(
         "The given toe lies {:.3g} m beyond the foot of the descent {}; the run-out counts from the given "
         "toe.",

@@ -11,7 +11,7 @@ namespace runout {
 struct GroundSeen {
     const Polyline& ground;
     bool with_chainage = true;
-    double relief = 0;  ///< as relief_of, m
+    double scale = 0;  ///< as scale_of, m
 };
 
 /// What speaks against the first of `faces` (as find_faces gives them), a sentence each: others that could be

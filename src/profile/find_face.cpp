@@ -53,21 +53,23 @@ class Search {
 
     [[nodiscard]] double relief() const { return relief_; }
 
-    /// Faces steeper than half of `inclination`, heaviest first.
-    const std::vector<Face>& faces(double inclination) {
-        const auto [found, fresh] = by_inclination_.try_emplace(inclination);
+    /// Faces steeper than half of `inclination`, heaviest first. Gaps in them are measured against `scale`,
+    /// m.
+    const std::vector<Face>& faces(double inclination, double scale) {
+        const auto [found, fresh] = found_.try_emplace({inclination, scale});
         std::vector<Face>& list = found->second;
         if (!fresh) return list;
-        for (const Descent& ends : descents(ground_, std::tan(inclination / 2), relief_))
+        for (const Descent& ends : descents(ground_, std::tan(inclination / 2), scale))
             list.push_back(face_of(ground_, ends));
         std::ranges::sort(list, heavier);
         return list;
     }
 
-    /// The face about `start` whose parts are steeper than half of its own inclination; none if it is no cut.
+    /// The face about `face` whose parts are steeper than half of its own inclination and whose gaps are
+    /// small against its own height; none if it is no cut.
     std::optional<Face> settled(Face face) {
         for (int step = 0; step < most_steps; ++step) {
-            const Face* next = nearest_to(face, faces(face.inclination));
+            const Face* next = nearest_to(face, faces(face.inclination, scale_of(face, relief_)));
             if (next == nullptr) return std::nullopt;
             if (next->ends == face.ends) break;
             face = *next;
@@ -94,7 +96,7 @@ class Search {
 
     double relief_;
     Polyline ground_;
-    std::map<double, std::vector<Face>> by_inclination_;
+    std::map<std::pair<double, double>, std::vector<Face>> found_;
 };
 
 /// The heaviest, or a similar one whose toe is further uphill: a run-out that counts from there is the longer
@@ -113,13 +115,17 @@ void put_the_chosen_first(const Polyline& ground, double relief, std::vector<Fac
 
 }  // namespace
 
+double scale_of(const Face& face, double relief) {
+    return std::min(face.height, relief);
+}
+
 FaceSearch find_faces(const Polyline& ground) {
     FaceSearch result;
     Search search(ground);
     result.relief = search.relief();
     if (!(result.relief > 0)) return result;
     for (const double guess : first_guesses) {
-        const std::vector<Face> begun = search.faces(guess);
+        const std::vector<Face> begun = search.faces(guess, result.relief);
         for (std::size_t i = 0; i < std::min(begun.size(), most_of_a_guess); ++i) {
             const std::optional<Face> face = search.settled(begun[i]);
             const auto same = [&](const Face& other) { return other.ends == face->ends; };

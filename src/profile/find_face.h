@@ -14,6 +14,10 @@ struct Face {
     double weight = 0;       ///< height times the third power of the sine of its mean inclination, m
 };
 
+/// What gaps, steps and ditches about a face are measured against: its height, or the relief where that is
+/// less, m.
+double scale_of(const Face& face, double relief);
+
 /// What was found on ground that goes from left to right, downhill to the right.
 struct FaceSearch {
     std::vector<Face> faces;  ///< the chosen one first, then others that could be meant, heaviest first

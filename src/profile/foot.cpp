@@ -7,15 +7,15 @@
 namespace runout {
 namespace {
 
-constexpr double widest_ditch = 0.1;          // of the relief
-constexpr double shallowest_ditch = 0.006;    // of the relief: less is noise
-constexpr double deepest_ditch = 0.1;         // of the relief
+constexpr double widest_ditch = 0.1;          // of the scale
+constexpr double shallowest_ditch = 0.006;    // of the scale: less is noise
+constexpr double deepest_ditch = 0.1;         // of the scale
 constexpr double level_again = 0.25;          // of the depth: rise beyond the rim
-constexpr double densest_gap = 0.1;           // of the relief: with longer segments the points are corners
-constexpr double fitted_face = 0.2;           // of the relief, length of ground to fit a line to
-constexpr double fitted_level_below = 0.095;  // of the relief: no step that matters is as near
-constexpr double fitted_level_above = 0.2;    // of the relief
-constexpr double straight = 0.015;            // of the relief: how far ground on a straight line lies off it
+constexpr double densest_gap = 0.1;           // of the scale: with longer segments the points are corners
+constexpr double fitted_face = 0.2;           // of the scale, length of ground to fit a line to
+constexpr double fitted_level_below = 0.095;  // of the scale: no step that matters is as near
+constexpr double fitted_level_above = 0.2;    // of the scale
+constexpr double straight = 0.015;            // of the scale: how far ground on a straight line lies off it
 constexpr double same_point = 0.02;           // of a segment
 constexpr double sharpest_flat = 0.25;        // sine of the least angle of a bend
 
@@ -35,12 +35,12 @@ double highest_between(const Polyline& ground, std::size_t from, double x0, doub
 }
 
 /// Level of the far rim of a ditch in which the toe lies.
-std::optional<double> rim_above(const Polyline& ground, std::size_t toe, double relief) {
+std::optional<double> rim_above(const Polyline& ground, std::size_t toe, double scale) {
     const double x = ground[toe].x();
-    const double wide = widest_ditch * relief;
+    const double wide = widest_ditch * scale;
     const double near = highest_between(ground, toe, x, x + wide);
     const double depth = near - ground[toe].y();
-    if (depth < shallowest_ditch * relief || depth > deepest_ditch * relief) return std::nullopt;
+    if (depth < shallowest_ditch * scale || depth > deepest_ditch * scale) return std::nullopt;
     const double beyond = highest_between(ground, toe, x + wide, x + 2 * wide);
     return beyond <= near + level_again * depth ? std::optional(near) : std::nullopt;
 }
@@ -142,15 +142,15 @@ std::optional<Line> line_beside(const Polyline& ground, std::size_t end, int ste
 
 /// Where lines fitted to the ground on both sides of `end` meet, no further from it than its neighbours; none
 /// where points are corners. `face` is +1 where the face is to the right of it.
-std::optional<Vec2> bend_at(const Polyline& ground, std::size_t end, int face, double relief) {
+std::optional<Vec2> bend_at(const Polyline& ground, std::size_t end, int face, double scale) {
     if (end < 2 || end + 2 >= ground.size()) return std::nullopt;
-    const double longest = densest_gap * relief;
+    const double longest = densest_gap * scale;
     const Vec2 here = ground[end];
     if ((ground[end - 1] - here).norm() > longest || (ground[end + 1] - here).norm() > longest)
         return std::nullopt;
-    const double off = straight * relief;
-    const auto slope = line_beside(ground, end, face, fitted_face * relief, off);
-    const double level_length = (face < 0 ? fitted_level_below : fitted_level_above) * relief;
+    const double off = straight * scale;
+    const auto slope = line_beside(ground, end, face, fitted_face * scale, off);
+    const double level_length = (face < 0 ? fitted_level_below : fitted_level_above) * scale;
     const auto level = line_beside(ground, end, -face, level_length, off);
     if (!slope || !level || std::min(distance_to(*slope, here), distance_to(*level, here)) > off)
         return std::nullopt;
@@ -171,14 +171,14 @@ std::size_t point_beside(Polyline& ground, std::size_t end, double x) {
 
 }  // namespace
 
-PlacedEnds placed_ends(Polyline& ground, const Face& face, double relief) {
+PlacedEnds placed_ends(Polyline& ground, const Face& face, double scale) {
     Descent ends = face.ends;
     std::optional<Vec2> toe;
-    if (const auto rim = rim_above(ground, ends.toe, relief))
+    if (const auto rim = rim_above(ground, ends.toe, scale))
         ends.toe = lowest_of_face(ground, {ends.crest, point_at_level(ground, ends, *rim)}, face.inclination);
     else
-        toe = bend_at(ground, ends.toe, -1, relief);
-    const std::optional<Vec2> crest = bend_at(ground, ends.crest, +1, relief);
+        toe = bend_at(ground, ends.toe, -1, scale);
+    const std::optional<Vec2> crest = bend_at(ground, ends.crest, +1, scale);
     if (toe) ends.toe = point_beside(ground, ends.toe, toe->x());
     const std::size_t points = ground.size();
     if (crest) ends.crest = point_beside(ground, ends.crest, crest->x());

@@ -14,11 +14,11 @@ struct PlacedEnds {
 /// Ends of a face as a surveyor would name them, on ground that goes from left to right, downhill to the
 /// right, and their indices in it; points are put in where the ground has none. The given ends are those of
 /// find_faces().
-/// - A toe in a ditch (narrower and shallower than a tenth of the relief) goes up to the level of its far
+/// - A toe in a ditch (narrower and shallower than a tenth of `scale`, m) goes up to the level of its far
 /// rim.
 /// - In a dense survey no point need lie on the bend between face and level ground: an end then moves to the
 ///   chainage where lines fitted to the ground on both sides meet, between its neighbours at most. The
 ///   inclination is the one between these meetings, since the survey cuts the corners.
-PlacedEnds placed_ends(Polyline& ground, const Face& face, double relief);
+PlacedEnds placed_ends(Polyline& ground, const Face& face, double scale);
 
 }  // namespace runout

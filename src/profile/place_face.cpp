@@ -23,7 +23,7 @@ struct Side {
     Polyline ground;
     Descent ends;               ///< toe and crest, given or found
     std::vector<Face> faces{};  ///< as find_faces()
-    double relief = 0;
+    double scale = 0;           ///< as scale_of() the first of them, m
 
     [[nodiscard]] double weight() const { return faces.empty() ? 0 : faces.front().weight; }
 };
@@ -104,7 +104,6 @@ Side searched(const std::vector<Vec2>& points, const ProfileOptions& options, bo
     const Polyline between(ground.begin() + static_cast<long>(first),
                            ground.begin() + static_cast<long>(last) + 1);
     FaceSearch search = find_faces(between);
-    side.relief = search.relief;
     if (toe_given)
         prefer(search.faces, search.relief, [&](const Face& f) { return toe_x - between[f.ends.toe].x(); });
     if (crest_given)
@@ -116,6 +115,7 @@ Side searched(const std::vector<Vec2>& points, const ProfileOptions& options, bo
         if (toe_given) side.ends.crest = last;
         return side;
     }
+    side.scale = scale_of(side.faces.front(), search.relief);
     const Descent found = side.faces.front().ends;
     side.ends = {crest_given ? first : found.crest, toe_given ? last : found.toe};
     return side;
@@ -169,14 +169,14 @@ PlacedFace place_face(const std::vector<Vec2>& points, const ProfileOptions& opt
 
     PlacedFace placed{side.ground, side.ends, inclination_of(side.ground, side.ends), side.with_chainage, {}};
     if (side.faces.empty()) return placed;
-    const GroundSeen seen{side.ground, side.with_chainage, side.relief};
+    const GroundSeen seen{side.ground, side.with_chainage, side.scale};
     if (!toe_given && !crest_given) {
         placed.doubts = doubts_about(seen, side.faces);
         if (other && !other->faces.empty())
             add_doubt_of_other_side(placed.doubts, side.faces.front(),
-                                    {other->ground, other->with_chainage, other->relief},
+                                    {other->ground, other->with_chainage, other->scale},
                                     other->faces.front());
-        const auto [ends, inclination] = placed_ends(placed.ground, side.faces.front(), side.relief);
+        const auto [ends, inclination] = placed_ends(placed.ground, side.faces.front(), side.scale);
         placed.ends = ends;
         placed.inclination = inclination;
     } else if (toe_given && !crest_given) {

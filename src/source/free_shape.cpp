@@ -21,11 +21,6 @@ double contact_tolerance(double area) {
     return 1e-3 * std::sqrt(area);
 }
 
-std::string shown(const Profile& profile, const Vec2& local) {
-    const Vec2 p = profile.to_section(local);
-    return fmt::format("[{:.10g}, {:.10g}]", p.x(), p.y());
-}
-
 std::vector<Vec2> local_points(const Profile& profile, const SourceSpec& spec) {
     std::vector<Vec2> points;
     for (const Vec2& p : spec.points) points.push_back(profile.to_local(p));

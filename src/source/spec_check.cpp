@@ -156,6 +156,11 @@ bool agree(double a, double b) {
     return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b));
 }
 
+std::string shown(const Profile& profile, const Vec2& local) {
+    const Vec2 p = profile.to_section(local);
+    return fmt::format("[{:.10g}, {:.10g}]", p.x(), p.y());
+}
+
 std::string figure(double value) {
     return fmt::format("{:.6g}", value);
 }

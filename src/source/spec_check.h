@@ -31,6 +31,9 @@ double required(const SourceSpec& spec, SpecKey key, const std::string& valid);
 /// Two statements of one quantity agree when they differ by no more than the rounding of a decimal.
 bool agree(double a, double b);
 
+/// A point of the local frame in the coordinates of the file, for an error message: "[41.547, 12]".
+std::string shown(const Profile& profile, const Vec2& local);
+
 /// A figure for an error message.
 std::string figure(double value);
 

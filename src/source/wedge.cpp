@@ -101,7 +101,41 @@ GroundPoint apex_above(const Profile& profile, const SourceSpec& spec, const Gro
         .value_or(at_vertex(profile.ground, profile.crest));
 }
 
+/// How far an exit point that was read off a drawing may miss the foot of the face, m.
+double reading_error(const Profile& profile) {
+    return std::max(0.05, 0.002 * crest_height(profile));
+}
+
+/// The exit point where it can be one: where the ground right above it is flatter than the base, as on a berm
+/// or on level ground before the face, the base comes out of it at once. A miss by no more than a reading
+/// error is mended.
+GroundPoint where_base_goes_in(const Profile& profile, const SourceSpec& spec, const GroundPoint& exit) {
+    const Polyline& ground = profile.ground;
+    const Vec2 given_at = position(ground, exit);
+    const std::size_t above = on_segment_above(exit).segment;
+    if (inclination(ground, above) > spec.base_angle) return exit;
+    std::size_t segment = above;
+    while (segment > profile.crest && inclination(ground, segment) <= spec.base_angle) --segment;
+    const bool steep = inclination(ground, segment) > spec.base_angle;
+    const Vec2 foot = ground[segment + 1];
+    if (steep && (foot - given_at).norm() <= std::min(reading_error(profile), 0.01 * crest_height(profile)))
+        return at_vertex(ground, segment + 1);
+    refuse(
+        spec, "source.type",
+        fmt::format(
+            "{} has its exit point P at {}, and the ground right above it is flatter than the base ({} deg), "
+            "which comes out of it at once",
+            to_string(spec.type), shown(profile, given_at), figure(degrees(spec.base_angle))),
+        steep ? fmt::format("put P at the foot of the steep part, {}: give section.toe_chainage_m = {}, or "
+                            "source.drop_height_m = {} with source.drop_height_datum = base",
+                            shown(profile, foot), figure(profile.to_section(foot).x()), figure(foot.y()))
+              : "give a flatter source.base_angle_deg");
+}
+
 [[noreturn]] void refuse_area(const SourceSpec& spec, double greatest, const std::string& why) {
+    if (!(greatest > 0))
+        refuse(spec, &SourceSpec::area, "cannot be had: base and back scarp cut nothing off",
+               "give a flatter source.base_angle_deg or a steeper source.scarp_angle_deg");
     refuse(spec, &SourceSpec::area, why, fmt::format("give at most {} m2", figure(greatest)));
 }
 
@@ -147,7 +181,8 @@ Source derive_b_below_apex(const Profile& profile, const SourceSpec& spec) {
         refuse(spec, &SourceSpec::drop_height, "leaves no room for a source below its head",
                "give a greater height");
     require_angles_around_face(spec, {0, 0}, head);
-    return finished(profile, spec, exit_below(profile, spec, apex), apex);
+    const GroundPoint exit = exit_below(profile, spec, apex);
+    return finished(profile, spec, where_base_goes_in(profile, spec, exit), apex);
 }
 
 /// P where the base daylights: at the drop height when that is measured to the base, otherwise at the toe.
@@ -188,8 +223,9 @@ Source derive_b(const Profile& profile, const SourceSpec& spec) {
     require_face(profile, spec);
     require_base_and_scarp(spec);
     if (apex_is_given(spec)) return derive_b_below_apex(profile, spec);
-    const GroundPoint exit = given_exit(profile, spec);
-    require_angles_around_face(spec, position(profile.ground, exit), profile.ground[profile.crest]);
+    const GroundPoint given_at = given_exit(profile, spec);
+    require_angles_around_face(spec, position(profile.ground, given_at), profile.ground[profile.crest]);
+    const GroundPoint exit = where_base_goes_in(profile, spec, given_at);
     return finished(profile, spec, exit, apex_of(profile, spec, exit));
 }
 
@@ -202,8 +238,9 @@ Source derive_c(const Profile& profile, const SourceSpec& spec) {
         refuse(spec, "source.type",
                fmt::format("C needs ground behind the crest, and {} ends there", profile.origin),
                "give a longer section, or a source of type B");
-    const GroundPoint exit = exit_below_crest(profile, spec);
-    require_angles_around_face(spec, position(profile.ground, exit), profile.ground[profile.crest]);
+    const GroundPoint given_at = exit_below_crest(profile, spec);
+    require_angles_around_face(spec, position(profile.ground, given_at), profile.ground[profile.crest]);
+    const GroundPoint exit = where_base_goes_in(profile, spec, given_at);
 
     const GroundPoint crest = at_vertex(profile.ground, profile.crest);
     const GroundPoint end = at_vertex(profile.ground, 0);
@@ -211,6 +248,9 @@ Source derive_c(const Profile& profile, const SourceSpec& spec) {
     const auto area_below = [&](const GroundPoint& top) { return planes.area(exit, top); };
     const double least = connected_mass(profile, spec, exit, crest).area();
     const auto top = area > least ? point_with_area(walk(crest, end), area_below, area) : std::nullopt;
+    if (!top && !(area_below(end) > least))
+        refuse(spec, &SourceSpec::area, "cannot be had: base and back scarp cut off nothing behind the crest",
+               "give a flatter source.base_angle_deg, a steeper source.scarp_angle_deg or a longer section");
     if (!top)
         refuse(spec, &SourceSpec::area,
                area > least ? "is more than base and back scarp cut off on this section"
