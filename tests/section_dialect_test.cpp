@@ -5,14 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <fstream>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "profile/read_section_table.h"
 #include "said.h"
-#include "temporary_folder.h"
 
 using namespace runout;
 
@@ -110,11 +108,6 @@ struct Written {
     std::vector<Vec2> points;  ///< what stands there
 };
 
-double value_of(std::string text, const Dialect& dialect) {
-    (void)dialect;
-    return std::stod(text);
-}
-
 Written section_in(const Dialect& dialect, Random& random) {
     const Header& header = headers[dialect.header];
     const std::string mark = separators[dialect.separator];
@@ -136,15 +129,14 @@ Written section_in(const Dialect& dialect, Random& random) {
     for (int i = 0; i < count; ++i) {
         const std::string x = fmt::format("{:.{}f}", chainage, dialect.decimals);
         const std::string y = fmt::format("{:.{}f}", elevation, dialect.decimals);
-        made.points.emplace_back(value_of(x, dialect) * header.chainage_unit,
-                                 value_of(y, dialect) * header.elevation_unit);
+        made.points.emplace_back(std::stod(x) * header.chainage_unit, std::stod(y) * header.elevation_unit);
         rows.push_back(
             row(fmt::format("P{}", i),
                 dialect.stations ? station(chainage, dialect) : written(chainage, dialect, true),
                 written(elevation, dialect, true),
                 dialect.extra == Extra::remarks && up_to(random, 1) == 1 ? "" : fmt::format("n{}", i)));
-        if (up_to(random, 9) > 0) chainage += uniform(random, 1.5, 40);
-        elevation += uniform(random, 1.5, 90) * (up_to(random, 1) == 1 ? 1 : -1);
+        if (i == 0 || up_to(random, 9) > 0) chainage += uniform(random, 1.5, 40);
+        elevation += uniform(random, 1.5, 90) * (elevation < -200 || up_to(random, 1) == 1 ? 1 : -1);
     }
     if (dialect.falling) std::ranges::reverse(rows);
     if (dialect.repeated_end) rows.push_back(rows.back());
@@ -190,15 +182,18 @@ class Dialects {
     void try_one(Dialect dialect, Random& random) {
         dialect.thousands = static_cast<Thousands>(up_to(random, 3));
         dialect.decimals = std::array{0, 1, 2, 3, 4, 6}[static_cast<std::size_t>(up_to(random, 5))];
+        // Nobody who separates by commas writes 1.234 for a thousand and more.
+        if (dialect.separator == 0 && dialect.comma && (dialect.decimals == 0 || dialect.decimals == 3))
+            dialect.thousands = Thousands::none;
         dialect.falling = up_to(random, 3) == 0;
         dialect.repeated_end = up_to(random, 3) == 0;
         dialect.trailing_separator = up_to(random, 2) == 0;
         const Written section = section_in(dialect, random);
-        const std::string path = folder_.file("section.csv");
-        std::ofstream(path, std::ios::binary) << encoded(section.text, dialect.encoding);
         SCOPED_TRACE(dialect.name() + "\n" + section.text);
-        const std::string error =
-            input_error([&] { expect_same(read_section_table(path, {}).points, section.points); });
+        const std::string error = input_error([&] {
+            expect_same(section_of_table(encoded(section.text, dialect.encoding), "section.csv", {}).points,
+                        section.points);
+        });
         ++tried;
         if (error.empty()) return;
         ++refused;
@@ -218,8 +213,6 @@ class Dialects {
         for (std::size_t i = 0; i < read.size(); ++i)
             ASSERT_LT((read[i] - meant[i]).cwiseAbs().maxCoeff(), 1e-9) << "point " << i;
     }
-
-    TemporaryFolder folder_;
 };
 
 TEST(SectionDialect, EveryCombinationGivesTheSectionOrLeavesAChoice) {

@@ -29,8 +29,7 @@ class SectionTable : public testing::Test {
     }
 
     /// What is said of how the file was read; the points have to be those of the slope.
-    [[nodiscard]] std::string said_of_slope(const std::string& bytes,
-                                            const TableOptions& options = {}) const {
+    std::string said_of_slope(const std::string& bytes, const TableOptions& options = {}) const {
         const std::string error = input_error([&] {
             const SectionPoints section = read(bytes, options);
             said_ = section.read_as;
@@ -99,6 +98,39 @@ TEST(FieldTable, StrictFormSaysNothing) {
 TEST(FieldTable, NoDataIsRefusedWithLineAndValue) {
     const std::string error = input_error([] { field("nodata.csv"); });
     EXPECT_PRED2(contains, error, "nodata.csv, line 5: elevation_m = -9999: stands for missing data");
+}
+
+// ---- the strict form
+
+TEST_F(SectionTable, ColumnsByNameCommentsBlanksBomAndCrlf) {
+    const SectionPoints plain = read("chainage_m,elevation_m\n0,2\n2,0\n5,0\n");
+    const SectionPoints other = read(
+        "\xEF\xBB\xBF# surveyed\r\n\r\n elevation_m , \"chainage_m\"\r\n2,0 # crest\r\n+0.0, 2e0\r\n\r\n0,5");
+    EXPECT_EQ(plain.points, other.points);
+    EXPECT_EQ(plain.read_as + other.read_as, "");
+    EXPECT_EQ(other.lines, (std::vector{4, 5, 7}));
+}
+
+TEST_F(SectionTable, ErrorsNameFileLineColumnAndValue) {
+    const std::string header = "chainage_m,elevation_m\n";
+    EXPECT_EQ(refusal("# c\n" + header + "0,2\n\n1,2m\n"),
+              folder_.file("section.csv") +
+                  ", line 5: elevation_m = 2m: is not a number; give a number, such as 12.5");
+    EXPECT_PRED2(contains, refusal(""), "is empty");
+    EXPECT_PRED2(contains, refusal("# only a comment\n\n"), "has no row with a chainage and an elevation");
+    EXPECT_PRED2(contains, refusal(header), "line 1: has a header but no points");
+    EXPECT_PRED2(contains, refusal(header + "0,2\n"), "line 2: has one point only");
+    EXPECT_PRED2(contains, refusal(header + "0,2\n,1\n"), "line 3: chainage_m: is empty");
+    EXPECT_PRED2(contains, refusal(header + "0,nan\n1,0\n"),
+                 "line 2: elevation_m = nan: says that there is no value");
+    EXPECT_PRED2(contains, refusal(header + "0,1e999\n1,0\n"), "is not a finite number");
+    EXPECT_PRED2(contains, refusal(header + "0,2\n1,0,7\n"), "line 3: has 3 fields; the header names 2");
+    EXPECT_PRED2(contains, refusal(header + "0,2\n1\n"), "line 3: has 1 field;");
+    EXPECT_PRED2(contains, refusal(header + "0,2\n1;0\n"), "line 3: has 1 field;");
+    EXPECT_PRED2(contains, refusal("chainage_m\n0\n1\n"), "--columns A,B");
+    EXPECT_PRED2(contains, refusal(header + "0,2\n3,1\n2,0\n"), "line 4: chainage_m = 2: goes back behind 3");
+    EXPECT_PRED2(contains, input_error([&] { read_section_table(folder_.file("none.csv"), {}); }),
+                 "none.csv: does not exist");
 }
 
 // ---- separators, marks, quotes
@@ -212,11 +244,11 @@ TEST_F(SectionTable, SignsBlanksAndThousands) {
 
 TEST_F(SectionTable, MarksThatMayBeThousandsAreRefused) {
     EXPECT_PRED2(contains, refusal("Dist;Elev\n0;1,250\n10;1,245\n"),
-                 "line 2: 1,250: may have thousands or decimals");
+                 "line 2: number = 1,250: may have thousands or decimals");
     EXPECT_PRED2(contains, refusal("Dist;Elev\n0;1.250\n10;1.245\n"), "--decimal point or --decimal comma");
     EXPECT_PRED2(contains, refusal("Dist;Elev\n0.5;1,250\n10;1,245\n"), "may have thousands or decimals");
     EXPECT_PRED2(contains, refusal("Dist;Elev\n0.5;32\n10,5;31\n"),
-                 "line 3: 10,5: has another decimal mark than 0.5");
+                 "line 3: number = 10,5: has another decimal mark than 0.5");
     EXPECT_EQ(read("Dist;Elev\n0;1,250\n10;1,245\n", {.decimal = "point"}).points[0], Vec2(0, 1250));
     EXPECT_EQ(read("Dist;Elev\n0;1,250\n10;1,245\n", {.decimal = "comma"}).points[0], Vec2(0, 1.25));
     // No section is 200 km long, and no ground 132 km high.

@@ -31,6 +31,13 @@ bool is_upper(char c) {
     return c >= 'A' && c <= 'Z';
 }
 
+/// Of the letters above: capitals have even or odd numbers, stretch by stretch.
+bool is_capital(unsigned code) {
+    if (code < 0x100) return code < 0xDF;
+    const bool odd_are_capital = (code >= 0x139 && code <= 0x148) || (code >= 0x179 && code <= 0x17E);
+    return code % 2 == (odd_are_capital ? 1U : 0U);
+}
+
 /// Accented Latin letters become plain ones; accents of their own vanish; other scripts stay.
 std::string without_accents(std::string_view text) {
     std::string plain;
@@ -45,7 +52,8 @@ std::string without_accents(std::string_view text) {
         }
         ++i;
         if (code >= 0xC0 && code < 0xC0 + base_letters.size()) {
-            plain += base_letters[code - 0xC0];
+            const char base = base_letters[code - 0xC0];
+            plain += is_capital(code) && is_lower(base) ? static_cast<char>(base - 32) : base;
         } else if (code == 0xA0 || code == 0xB7 || code == 0xB0) {
             plain += code == 0xB0 ? " deg " : " ";
         } else if (code < 0x300 || code > 0x36F) {

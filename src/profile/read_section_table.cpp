@@ -20,8 +20,8 @@ namespace {
 constexpr std::ptrdiff_t most_lines = 1'000'000;
 constexpr std::size_t lines_of_head = 300;
 
-/// How far a reading with one separator came: columns that are clear decide that it is the right one.
-enum class Stage { nothing, points, columns };
+/// How far a reading with one separator came: the farthest is the right one.
+enum class Stage { nothing, points, columns, named_columns };
 
 struct Attempt {
     Stage stage = Stage::nothing;
@@ -61,8 +61,9 @@ Attempt attempt(const TableFile& file, Separator separator) {
         const TableRows table(file.text, separator, file.path);
         made.stage = Stage::points;
         const auto layout = find_layout(table, separator, file.wish, file.path);
-        made.stage = layout ? Stage::columns : Stage::nothing;
-        if (layout) made.section = table_points({table, separator, *layout, file.options, file.path});
+        if (!layout) return {};
+        made.stage = layout->by_name ? Stage::named_columns : Stage::columns;
+        made.section = table_points({table, separator, *layout, file.options, file.path});
     } catch (const InputError& error) {
         made.error = error;
     }
@@ -93,7 +94,7 @@ std::vector<Separator> possible_separators(const TableFile& file) {
         "(section.columns)");
 }
 
-/// The first that knows its columns; another one that knows them as well has to agree.
+/// The one that came farthest; another one that came as far has to agree.
 SectionPoints chosen(const TableFile& file, std::vector<Attempt> attempts) {
     const auto best = std::ranges::max_element(attempts, {}, &Attempt::stage);  // the first of equals
     if (best == attempts.end() || (best->stage == Stage::nothing && !best->error)) refuse_unreadable(file);
@@ -102,7 +103,7 @@ SectionPoints chosen(const TableFile& file, std::vector<Attempt> attempts) {
         refuse_unreadable(file);
     }
     for (auto other = best + 1; other != attempts.end(); ++other)
-        if (other->section && other->section->points != best->section->points)
+        if (other->stage == best->stage && other->section && other->section->points != best->section->points)
             throw InputError(
                 {file.path, 0, "", ""},
                 fmt::format("may be {}, or be {}", best->section->read_as, other->section->read_as),
@@ -122,14 +123,18 @@ void check_length(const std::string& text, const std::string& path) {
 
 }  // namespace
 
-SectionPoints read_section_table(const std::string& path, const TableOptions& options) {
-    const TableFile file{
-        table_text(read_text_file(path, "give the path of a table of chainage and elevation"), path), path,
-        options, column_wish(options.columns, path)};
+SectionPoints section_of_table(std::string bytes, const std::string& path, const TableOptions& options) {
+    const TableFile file{table_text(std::move(bytes), path), path, options,
+                         column_wish(options.columns, path)};
     check_length(file.text, path);
     std::vector<Attempt> attempts;
     for (const Separator separator : possible_separators(file)) attempts.push_back(attempt(file, separator));
     return chosen(file, std::move(attempts));
+}
+
+SectionPoints read_section_table(const std::string& path, const TableOptions& options) {
+    return section_of_table(read_text_file(path, "give the path of a table of chainage and elevation"), path,
+                            options);
 }
 
 }  // namespace runout

@@ -72,7 +72,7 @@ struct Evidence {
 };
 
 [[noreturn]] void refuse(const Seen& seen, const std::string& problem, const std::string& path) {
-    throw InputError({path, seen.line, "", seen.text}, problem, say_the_mark);
+    throw InputError({path, seen.line, "number", seen.text}, problem, say_the_mark);
 }
 
 /// Whether the numbers would make a section if their marks stood between thousands.

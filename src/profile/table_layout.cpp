@@ -111,10 +111,12 @@ class LayoutSearch {
     TableLayout layout_from(std::size_t first) {
         if (!columns_ && !wish_.given()) take_header_from_comments(first);
         if (wish_.numbers) columns_ = wish_.numbers;
+        if (!header_) refuse_points_above(first);
         if (!columns_) columns_ = the_only_two(first);
         TableLayout layout;
         layout.first_row = first;
         layout.header_cells = names_.size();
+        layout.by_name = header_.has_value() && !wish_.numbers;
         layout.chainage.index = columns_->first;
         layout.elevation.index = columns_->second;
         if (!names_.empty()) {
@@ -122,7 +124,6 @@ class LayoutSearch {
             layout.elevation.name = with_unit_below(columns_->second, first);
         }
         layout.titles_mention_feet = feet_above(first);
-        check_width(first);
         return layout;
     }
 
@@ -148,6 +149,19 @@ class LayoutSearch {
                              fmt::format("begins {} columns that no header names", filled.size()),
                              name_the_columns);
         return {filled[0], filled[1]};
+    }
+
+    /// Without a header, a row that looks like half a point is not to pass for a title.
+    void refuse_points_above(std::size_t first) const {
+        for (std::size_t i = 0; i < first; ++i) {
+            const TableRow& row = table_.rows()[i];
+            const Cells cells = table_.cells(row);
+            const bool begins_alike =
+                row.written_cells >= table_.rows()[first].cell_count && is_numeric(cells.front());
+            if (!row.comment && (begins_alike || std::ranges::count_if(cells, is_numeric) >= 2))
+                throw InputError({path_, row.line, "", ""}, "is neither a header nor a point",
+                                 "take the line out, or name the columns: --columns A,B (section.columns)");
+        }
     }
 
     void refuse_unknown_header(const TableRow& row, const TableRow& point) const {
@@ -178,18 +192,6 @@ class LayoutSearch {
             for (const std::string_view cell : table_.cells(table_.rows()[i]))
                 if (mentions_feet(cell)) return true;
         return false;
-    }
-
-    /// Where blanks separate, a name of two words looks like two columns.
-    void check_width(std::size_t first) const {
-        const TableRow& row = table_.rows()[first];
-        if (separator_ != Separator::blanks || names_.empty() || wish_.numbers ||
-            names_.size() == row.cell_count)
-            return;
-        throw InputError(
-            {path_, row.line, "", ""},
-            fmt::format("has {} numbers below a header of {} words", row.cell_count, names_.size()),
-            "give the columns by their numbers: --columns A,B (section.columns)");
     }
 
     const TableRows& table_;

@@ -22,6 +22,7 @@ struct TableLayout {
     TableColumn elevation{};
     std::size_t first_row = 0;         ///< of the points, in TableRows::rows()
     std::size_t header_cells = 0;      ///< a row may have no more; 0: no header
+    bool by_name = false;              ///< the header's names chose the columns
     bool titles_mention_feet = false;  ///< a line above the points does
 };
 

@@ -156,9 +156,9 @@ bool says_nothing(std::string_view cell) {
     if (cell.empty() || cell.front() == '#') return true;
     if (cell.size() > 12) return false;
     if (cell.find_first_not_of("-*?/. ") == std::string_view::npos) return true;
-    constexpr std::array<std::string_view, 16> words = {
-        "nan",  "-nan", "+nan",   "null",   "none",    "na",   "n/a",     "nd",
-        "n.d.", "nil",  "<null>", "nodata", "no data", "k.a.", "missing", "void"};
+    constexpr std::array<std::string_view, 20> words = {
+        "nan",    "-nan",   "+nan",    "null", "none",    "na",  "n/a",  "nd",   "n.d.",     "nil",
+        "<null>", "nodata", "no data", "k.a.", "missing", "inf", "-inf", "+inf", "infinity", "void"};
     return std::ranges::find(words, lower(cell)) != words.end();
 }
 

@@ -72,6 +72,12 @@ class PointReader {
                              fmt::format("has {} field{}", count, count == 1 ? "" : "s"),
                              named ? fmt::format("the header names {}", layout_.header_cells)
                                    : "give a chainage and an elevation");
+        // Where blanks separate, a name of two words looks like two columns.
+        if (by_blanks && layout_.by_name && count != layout_.header_cells)
+            throw InputError({path_, row.line, "", ""},
+                             fmt::format("has {} words below a header of {}", count, layout_.header_cells),
+                             "give each row the same columns, or name them by numbers: --columns A,B "
+                             "(section.columns)");
         const bool like_first = count == first.cell_count || row.written_cells == first.written_cells;
         if (((by_commas && !named) || by_blanks) && !like_first)
             throw InputError(
