@@ -156,7 +156,9 @@ void override_with(std::string_view text) {
 
 void read_section(std::span<const std::uint8_t> bytes) {
     const std::string path = written(bytes, ".csv");
-    accept_input_error([&] { check(make_profile(read_section_table(path, {}), {})); });
+    for (const TableOptions& said :
+         {TableOptions{}, TableOptions{.columns = "2,1"}, TableOptions{.unit = "ft", .decimal = "comma"}})
+        accept_input_error([&] { check(make_profile(read_section_table(path, said), {})); });
 }
 
 void read_case_file(std::span<const std::uint8_t> bytes) {
