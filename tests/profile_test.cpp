@@ -4,11 +4,10 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "core/units.h"
+#include "profile/read_section_table.h"
 #include "said.h"
-#include "temporary_folder.h"
 
 using namespace runout;
 
@@ -19,23 +18,6 @@ Profile profile_of(const std::vector<Vec2>& points, const ProfileOptions& option
 }
 
 const std::vector<Vec2> cut{{0, 32}, {30, 32}, {41.5, 12}, {200, 12}};
-
-/// Files in a directory of their own, removed afterwards.
-class ProfileFiles : public testing::Test {
-  protected:
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path(name), std::ios::binary) << text;
-        return path(name);
-    }
-    [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
-
-    [[nodiscard]] std::string csv_error(const std::string& text) const {
-        return input_error([&] { read_profile_csv(write("section.csv", text), {}); });
-    }
-
-  private:
-    TemporaryFolder folder_;
-};
 
 // ---- the local frame
 
@@ -202,52 +184,7 @@ TEST(Profile, RefusesToeOrCrestBesideTheSection) {
                  "section.crest_chainage_m = -1: is not on the section; give a chainage between 100 and 300");
 }
 
-// ---- CSV
-
-TEST_F(ProfileFiles, CsvReadsColumnsByNameCommentsBlanksBomAndCrlf) {
-    const Profile plain = read_profile_csv(write("a.csv", "chainage_m,elevation_m\n0,2\n2,0\n5,0\n"), {});
-    const Profile other = read_profile_csv(write("b.csv",
-                                                 "\xEF\xBB\xBF# surveyed\r\n\r\n elevation_m , "
-                                                 "\"chainage_m\"\r\n2,0 # crest\r\n+0.0, 2e0\r\n\r\n0,5"),
-                                           {});
-    EXPECT_EQ(plain.ground, other.ground);
-    EXPECT_EQ(plain.origin, path("a.csv"));
-}
-
-TEST_F(ProfileFiles, CsvErrorsNameFileLineColumnAndValue) {
-    const std::string header = "chainage_m,elevation_m\n";
-    const std::string error = csv_error("# c\n" + header + "0,2\n\n1,2m\n");
-    EXPECT_EQ(error,
-              path("section.csv") + ", line 5: elevation_m = 2m: is not a number; give metres, such as 12.5");
-    EXPECT_PRED2(contains, csv_error(""), "is empty");
-    EXPECT_PRED2(contains, csv_error("# only a comment\n\n"), "is empty");
-    EXPECT_PRED2(contains, csv_error(header), "line 1: has a header but no points");
-    EXPECT_PRED2(contains, csv_error(header + "0,2\n"), "line 2: has one point only");
-    EXPECT_PRED2(contains, csv_error(header + "0,2\n,1\n"), "line 3: chainage_m: is empty");
-    EXPECT_PRED2(contains, csv_error(header + "0,nan\n1,0\n"),
-                 "line 2: elevation_m = nan: is not a finite number");
-    EXPECT_PRED2(contains, csv_error(header + "0,2\ninf,0\n"),
-                 "line 3: chainage_m = inf: is not a finite number");
-    EXPECT_PRED2(contains, csv_error(header + "0,1e999\n1,0\n"), "is not a finite number");
-    EXPECT_PRED2(contains, csv_error(header + "0,2\n1,0,7\n"), "line 3: has 3 fields");
-    EXPECT_PRED2(contains, csv_error(header + "0,2\n1\n"), "line 3: has 1 field;");
-    EXPECT_PRED2(contains, csv_error(header + "0,2\n1;0\n"), "line 3: has 1 field;");
-    EXPECT_PRED2(contains, csv_error("chainage_m,height\n0,2\n"),
-                 "line 1: column = height: is not a known column");
-    EXPECT_PRED2(contains, csv_error("0,2\n1,0\n"), "line 1: column = 0: is not a known column");
-    EXPECT_PRED2(contains, csv_error("chainage_m,chainage_m\n0,2\n"), "stands twice");
-    EXPECT_PRED2(contains, csv_error("chainage_m\n0\n"), "elevation_m is missing");
-    EXPECT_PRED2(contains, csv_error(header + "0,2\n3,1\n2,0\n"),
-                 "line 4: chainage_m = 2: goes back behind 3");
-    EXPECT_PRED2(contains, csv_error(header + "0,2\n3,1\n3,1\n"),
-                 "line 4: chainage_m = 3: repeats the point before it");
-    EXPECT_PRED2(contains, input_error([&] { read_profile_csv(path("none.csv"), {}); }),
-                 "none.csv: does not exist");
-    EXPECT_PRED2(contains, input_error([&] {
-                     read_profile_csv(std::filesystem::path(path("x")).parent_path().string(), {});
-                 }),
-                 "is a directory");
-}
+// ---- the shipped sections
 
 /// The sections that a user starts from; the others belong to one case of the validation each.
 bool is_cut(const std::string& name) {
@@ -260,7 +197,7 @@ TEST(Profile, ShippedSectionsAreCutsWithRoomToRunOut) {
         if (entry.path().extension() != ".csv") continue;
         SCOPED_TRACE(entry.path().string());
         ++sections;
-        const Profile p = read_profile_csv(entry.path().string(), {});
+        const Profile p = make_profile(read_section_table(entry.path().string(), {}), {});
         const double height = p.ground[p.crest].y();
         EXPECT_GT(height, 0);
         if (is_cut(entry.path().stem().string())) {

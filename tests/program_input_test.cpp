@@ -29,8 +29,8 @@ TEST_F(ProgramTest, BadSections) {
     refused(header + "0,1\n", {"bad.csv", "one point"});
     refused(header + "0,1\n1,high\n", {"bad.csv, line 3", "elevation_m", "high"});
     refused(header + "0,1\nnan,0\n", {"bad.csv, line 3", "chainage_m", "nan"});
-    refused("chainage_m,elevation_m,colour\n0,1,red\n1,0,red\n", {"bad.csv, line 1", "colour"});
-    refused("x,y\n0,1\n1,0\n", {"bad.csv, line 1", "chainage_m"});
+    refused("chainage_m,colour\n0,red\n1,red\n", {"bad.csv", "--columns"});
+    refused("a,b\n0,1\n1,0\n", {"bad.csv, line 1", "'a', 'b'", "--columns"});
     refused(header + "0,1\n1,0\n0.5,-1\n", {"bad.csv, line 4", "chainage_m = 0.5", "overhang"});
     refused(header + "0,1\n1,0\n1,0\n2,0\n", {"bad.csv, line 4", "repeats"});
 }

@@ -11,8 +11,8 @@ TEST_F(SceneTest, MissingAndWrongFiles) {
     expect_complaint(input_error([&] { read_case(path("none.toml")); }), {"none.toml", "does not exist"});
     expect_complaint(input_error([&] { read_case(path("none")); }), {"none", "does not exist"});
     expect_complaint(input_error([&] { read_case(path("")); }), {"folder"});
-    expect_complaint(input_error([&] { read_case(write("notes.txt", "x")); }),
-                     {"notes.txt", "neither", ".toml", ".csv"});
+    expect_complaint(input_error([&] { read_case(write("notes.md", "x")); }),
+                     {"notes.md", "neither", ".toml", ".csv"});
     expect_complaint(input_error([&] { make_scene(read_case(path("none.csv"))); }), {"none.csv"});
 }
 

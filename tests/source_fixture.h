@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "profile/profile.h"
+#include "profile/read_section_table.h"
 #include "said.h"
 #include "source/source.h"
 
@@ -34,7 +35,7 @@ inline Profile cut(double angle, double height, double back, double out) {
 }
 
 inline Profile shipped(const std::string& name) {
-    return read_profile_csv(RUNOUT_SOURCE_DIR "/profiles/" + name, {});
+    return make_profile(read_section_table(RUNOUT_SOURCE_DIR "/profiles/" + name, {}), {});
 }
 
 inline SourceSpec type_b() {

@@ -1,10 +1,11 @@
 #include "core/csv_rows.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <string_view>
+
+#include "core/text_file.h"
 
 namespace runout {
 namespace {
@@ -30,24 +31,16 @@ std::vector<std::string> split(std::string_view line) {
     return fields;
 }
 
-std::ifstream opened(const std::string& path, const std::string& valid) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) throw InputError({path, 0, "", ""}, "does not exist", valid);
-    if (std::filesystem::is_directory(path, ignored))
-        throw InputError({path, 0, "", ""}, "is a directory", valid);
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError({path, 0, "", ""}, "cannot be opened", "check that you may read it");
-    return file;
-}
-
 }  // namespace
 
 std::vector<CsvRow> read_csv_rows(const std::string& path, const std::string& valid) {
-    std::ifstream file = opened(path, valid);
+    const std::string text = read_text_file(path, valid);
     std::vector<CsvRow> rows;
-    std::string text;
-    for (int line = 1; std::getline(file, text); ++line) {
-        std::string_view rest = text;
+    int line = 1;
+    for (std::size_t begin = 0; begin < text.size(); ++line) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        std::string_view rest = std::string_view(text).substr(begin, end - begin);
+        begin = end + 1;
         if (line == 1 && rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
         rest = trimmed(rest.substr(0, rest.find('#')));
         if (!rest.empty()) rows.push_back({line, split(rest)});

@@ -13,8 +13,8 @@ struct CsvRow {
     std::vector<std::string> fields;
 };
 
-/// Lines of a CSV file: `#` starts a comment; blank lines, a byte-order mark, CRLF and quotes are accepted.
-/// Throws InputError when it cannot be read; `valid` says what to give instead.
+/// Lines of a CSV file of this program's own form: `#` starts a comment; blank lines, a byte-order mark, CRLF
+/// and quotes are accepted. Throws InputError as read_text_file; `valid` says what to give instead.
 std::vector<CsvRow> read_csv_rows(const std::string& path, const std::string& valid);
 
 /// The number written in `place.value`, with a point as decimal mark whatever the locale says. Throws

@@ -64,12 +64,6 @@ struct ProfileOptions {
 /// section.
 Profile make_profile(const SectionPoints& section, const ProfileOptions& options);
 
-/// CSV with a header naming `chainage_m` and `elevation_m` (any order), metres. `#` starts a comment; blank
-/// lines, a byte-order mark and CRLF are accepted. Throws InputError, with the line: unreadable or empty
-/// file, unknown, repeated or missing column, wrong number of fields, text or NaN in a number, and whatever
-/// make_profile refuses.
-Profile read_profile_csv(const std::string& path, const ProfileOptions& options);
-
 /// A section that a map gives: a line across a raster, or a line with elevations of its own.
 struct MapSection {
     std::string raster{};     ///< any GDAL raster; empty: the line is three-dimensional

@@ -74,6 +74,7 @@ Scene scene_of(const AccuracyArguments& arguments) {
                                  "does not apply to a ladder, which runs at many spacings and lattices",
                                  "leave it out, and give --target");
     Scene scene = make_scene(case_from(arguments.scenario));
+    log_reading(scene.profile);
     log_assumptions(scene.assumed);
     return scene;
 }

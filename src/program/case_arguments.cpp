@@ -17,7 +17,7 @@ struct ShortOption {
     const char* key;
 };
 
-constexpr std::array<ShortOption, 25> short_options = {{
+constexpr std::array<ShortOption, 28> short_options = {{
     {"--source", "source.type"},
     {"--base-angle", "source.base_angle_deg"},
     {"--scarp-angle", "source.scarp_angle_deg"},
@@ -31,6 +31,9 @@ constexpr std::array<ShortOption, 25> short_options = {{
     {"--discontinuity-angle", "source.discontinuity_angle_deg"},
     {"--friction-angle", "material.friction_angle_deg"},
     {"--density", "material.density_kg_m3"},
+    {"--columns", "section.columns"},
+    {"--unit", "section.unit"},
+    {"--decimal", "section.decimal"},
     {"--raster", "section.raster"},
     {"--where", "section.where"},
     {"--toe-chainage", "section.toe_chainage_m"},
@@ -92,9 +95,9 @@ void check_given_once(const std::vector<Override>& overrides) {
 
 void add_case_arguments(CLI::App& subcommand, CaseArguments& arguments) {
     subcommand
-        .add_option(
-            "FILE", arguments.file,
-            "A case (.toml), a bare cross-section (.csv), or lines on a map (.gpkg, .shp, .geojson ...)")
+        .add_option("FILE", arguments.file,
+                    "A case (.toml), a bare cross-section (.csv, .txt ...), or lines on a map (.gpkg, .shp, "
+                    ".geojson ...)")
         ->required()
         ->type_name("");
     for (const ShortOption& entry : short_options) add_short_option(subcommand, arguments, entry);
@@ -118,6 +121,10 @@ CaseSpec case_from(const CaseArguments& arguments) {
     for (const Override& entry : arguments.overrides)
         override_value(spec, entry.key, entry.text, entry.option);
     return spec;
+}
+
+void log_reading(const Profile& profile) {
+    if (!profile.read_as.empty()) spdlog::info("{} {}", profile.origin, profile.read_as);
 }
 
 void log_assumptions(const std::vector<std::string>& assumed) {

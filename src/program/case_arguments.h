@@ -30,6 +30,9 @@ void add_set_option(CLI::App& subcommand, CaseArguments& arguments);
 /// The case with the command line's keys in place. Throws InputError.
 CaseSpec case_from(const CaseArguments& arguments);
 
+/// Says on standard error how the section's file was understood, where it left a choice.
+void log_reading(const Profile& profile);
+
 /// Says on standard error what had to be assumed.
 void log_assumptions(const std::vector<std::string>& assumed);
 

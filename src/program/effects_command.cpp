@@ -59,6 +59,7 @@ std::string json_of(const Scene& scene, const std::vector<MeasuredEffect>& effec
 
 int show_effects(const EffectsArguments& arguments) {
     const Scene scene = make_scene(case_from(arguments.scenario));
+    log_reading(scene.profile);
     log_assumptions(scene.assumed);
     const std::vector<MeasuredEffect> effects = measure_effects(scene);
     fmt::print("{}", arguments.json ? json_of(scene, effects) : text_of(scene, effects));

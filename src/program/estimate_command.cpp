@@ -51,6 +51,7 @@ Question question_of(const EstimateArguments& arguments) {
     }
     if (numbers) throw unclear("has a case and numbers");
     const Scene scene = make_scene(case_from(arguments.scenario));
+    log_reading(scene.profile);
     log_assumptions(scene.assumed);
     return {chart_question(scene), EstimateScale{scene.source.area, -scene.source.head.x()}};
 }

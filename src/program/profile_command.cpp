@@ -105,6 +105,7 @@ int show_profile(const ProfileArguments& arguments) {
         return exit_code::success;
     }
     const ShownSection& section = sections.front();
+    log_reading(section.profile);
     fmt::print("{}{}", section_text(view_of(section)), section_drawing(view_of(section), drawing_columns));
     if (!section.no_source.empty()) spdlog::info("no source is shown: {}", section.no_source);
     return exit_code::success;

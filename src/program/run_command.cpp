@@ -105,6 +105,7 @@ std::vector<Section> sections_of(const CaseArguments& arguments) {
 /// Chooses, simulates, stores and prints one section, and returns its exit code.
 int run_section(const Section& section, const RunArguments& arguments, std::optional<Store>& store,
                 const InterruptWatch& interrupt) {
+    log_reading(section.scene.profile);
     log_assumptions(section.scene.assumed);
     const RunPlan plan = plan_of(section, store, arguments, interrupt);
     log_plan(plan);

@@ -80,6 +80,7 @@ std::string source_text(const Site& site) {
 
 int show_source(const SourceArguments& arguments) {
     const Site site = make_site(case_from(arguments.scenario));
+    log_reading(site.profile);
     log_assumptions(site.assumed);
     fmt::print("{}", arguments.json ? source_json(site) + "\n" : source_text(site));
     return exit_code::success;

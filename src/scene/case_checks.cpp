@@ -36,7 +36,10 @@ struct Companions {
     std::string_view needs;
 };
 
-constexpr std::array<Companions, 32> companions = {{
+constexpr std::array<Companions, 35> companions = {{
+    {"section.columns", "section.file"},
+    {"section.unit", "section.file"},
+    {"section.decimal", "section.file"},
     {"section.raster", "section.line"},
     {"section.sampling_m", "section.raster"},
     {"section.interpolation", "section.raster"},
@@ -90,7 +93,7 @@ void check_companions(const CaseSpec& spec) {
             throw InputError(spec.place(pair.key), fmt::format("needs {}", pair.needs), "give both");
     if (!spec.has("section.file") && !spec.has("section.line"))
         throw InputError(spec.place("section.file"), "is missing",
-                         "give the cross-section as CSV, or section.raster and section.line");
+                         "give the cross-section as a table, or section.raster and section.line");
 }
 
 std::string type_names(const std::vector<SourceType>& types) {

@@ -9,10 +9,10 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <sstream>
 
+#include "core/text_file.h"
 #include "scene/parameters.h"
 
 namespace runout {
@@ -28,15 +28,9 @@ InputPlace whole_file(const std::string& path) {
 
 std::string read_text(const std::string& path) {
     std::error_code ignored;
-    if (!fs::exists(path, ignored))
-        throw InputError(whole_file(path), "does not exist", "give a case (.toml) or a section (.csv)");
     if (fs::is_directory(path, ignored))
         throw InputError(whole_file(path), "is a folder", "give the case file in it, such as case.toml");
-    std::ifstream stream(path, std::ios::binary);
-    std::ostringstream text;
-    if (!stream || !(text << stream.rdbuf() || stream.peek() == std::ifstream::traits_type::eof()))
-        throw InputError(whole_file(path), "cannot be read", "check its permissions");
-    return text.str();
+    return read_text_file(path, "give a case (.toml) or a section (.csv)");
 }
 
 std::string lower_extension(const std::string& path) {
@@ -294,7 +288,8 @@ void forget_how_fine_the_file_said(CaseSpec& spec, std::string_view except) {
 /// Which key a file stands for that is no case; empty if none.
 std::string section_key(const std::string& extension) {
     constexpr std::array maps = {".gpkg", ".shp", ".geojson", ".fgb", ".gml", ".kml"};
-    if (extension == ".csv") return "section.file";
+    constexpr std::array tables = {".csv", ".txt", ".tsv", ".dat", ".prn", ".xyz", ".pts"};
+    if (std::ranges::find(tables, extension) != tables.end()) return "section.file";
     return std::ranges::find(maps, extension) != maps.end() ? "section.line" : "";
 }
 
@@ -311,9 +306,9 @@ CaseSpec read_case(const std::string& path) {
         assign(spec, known_parameter(place), path, place);
     } else {
         read_text(path);  // a missing file is the likelier mistake, and says so
-        throw InputError(
-            whole_file(path), "is neither a case nor a section",
-            "give a .toml or a .csv file, or lines as .gpkg, .shp, .geojson, .fgb, .gml or .kml");
+        throw InputError(whole_file(path), "is neither a case nor a section",
+                         "give a .toml file, a table as .csv, .txt, .tsv, .dat, .prn, .xyz or .pts, or lines "
+                         "as .gpkg, .shp, .geojson, .fgb, .gml or .kml");
     }
     if (!spec.has("run.name")) spec.name = name_from(path);
     return spec;

@@ -25,8 +25,18 @@ SourceType source_type(const std::string& name) {
 std::vector<Parameter> section_parameters() {
     return {
         word("section.file", {}, "required, unless section.line is given",
-             "Cross-section as CSV with columns chainage_m and elevation_m; relative to the case file.",
+             "Cross-section as a text table of chainage and elevation (docs/sections.md); relative to the "
+             "case file.",
              [](CaseSpec& spec, const std::string& path) { spec.section.file = path; }),
+        word("section.columns", {}, "found by the header",
+             "Columns of chainage and elevation in section.file, by name or number: Station,Elev or 1,3.",
+             [](CaseSpec& spec, const std::string& columns) { spec.section.table.columns = columns; }),
+        word("section.unit", {"m", "ft", "us-ft"}, "as the header says, else m",
+             "Unit of both columns of section.file; us-ft are US survey feet.",
+             [](CaseSpec& spec, const std::string& unit) { spec.section.table.unit = unit; }),
+        word("section.decimal", {"point", "comma"}, "found in the numbers",
+             "Decimal mark of the numbers in section.file.",
+             [](CaseSpec& spec, const std::string& mark) { spec.section.table.decimal = mark; }),
         number("section.toe_chainage_m", "m", any_number, "found on the section",
                "Chainage of the foot of the cut.",
                [](CaseSpec& spec, double metres) { spec.section.options.toe_chainage_m = metres; }),

@@ -54,6 +54,9 @@ void check_number(const Parameter& parameter, double value, const InputPlace& pl
 
 void check_word(const Parameter& parameter, const std::string& value, const InputPlace& place) {
     if (value.empty()) throw InputError(place, "is empty", "valid: " + valid_values(parameter));
+    // A path would be opened up to there, under a name that nobody sees.
+    if (value.find('\0') != std::string::npos)
+        throw InputError(place, "holds a zero byte", "valid: " + valid_values(parameter));
     if (parameter.kind == ValueKind::choice &&
         std::ranges::find(parameter.choices, value) == parameter.choices.end())
         throw InputError(place, "is not known", "valid: " + valid_values(parameter));

@@ -24,7 +24,8 @@ constexpr int cohesive_friction_iterations = 60;
 constexpr double cohesive_pressure_tolerance = 1e-3;
 
 Profile read_ground(const SectionSpec& section) {
-    if (!section.file.empty()) return read_profile_csv(section.file, section.options);
+    if (!section.file.empty())
+        return make_profile(read_section_table(section.file, section.table), section.options);
     return read_map_section(section.map, section.options);
 }
 

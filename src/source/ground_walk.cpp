@@ -14,9 +14,43 @@ Vec2 nearest_on_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
     return a + t * ab;
 }
 
-double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-    return (p - nearest_on_segment(p, a, b)).norm();
-}
+/// The points since the last one that was kept, as far as a straight segment from there can stand for them.
+/// It remembers the directions from which all of them lie within the tolerance, so that a long straight
+/// stretch costs no more than its points.
+class StraightRun {
+  public:
+    StraightRun(const Vec2& start, double tolerance) : start_(start), tolerance_(tolerance) {}
+
+    void pass(const Vec2& point) {
+        const Vec2 way = point - start_;
+        const double length = way.norm();
+        farthest_ = std::max(farthest_, length);
+        if (length <= tolerance_) return;
+        if (ahead_.isZero()) ahead_ = way / length;
+        const double spread = std::asin(tolerance_ / length);
+        lowest_ = std::max(lowest_, direction(way) - spread);
+        highest_ = std::min(highest_, direction(way) + spread);
+    }
+
+    [[nodiscard]] bool may_end_at(const Vec2& end) const {
+        const Vec2 way = end - start_;
+        if (way.norm() < farthest_ - tolerance_) return false;
+        return ahead_.isZero() || (direction(way) >= lowest_ && direction(way) <= highest_);
+    }
+
+  private:
+    /// Against the first point passed, so that it is small and exact on a straight stretch.
+    [[nodiscard]] double direction(const Vec2& way) const {
+        return std::atan2(ahead_.x() * way.y() - ahead_.y() * way.x(), ahead_.dot(way));
+    }
+
+    Vec2 start_;
+    double tolerance_;
+    Vec2 ahead_{0, 0};
+    double farthest_ = 0;
+    double lowest_ = -std::numeric_limits<double>::infinity();
+    double highest_ = std::numeric_limits<double>::infinity();
+};
 
 void add(std::vector<Stretch>& way, std::size_t segment, double from, double to) {
     if (from != to) way.push_back({segment, from, to});
@@ -111,14 +145,12 @@ double distance(const Vec2& point, const Polyline& line) {
 
 Polyline without_needless_points(const Polyline& line, double tolerance) {
     Polyline kept{line.front()};
-    std::size_t last = 0;
+    StraightRun run(line.front(), tolerance);
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-        bool needless = true;
-        for (std::size_t k = last + 1; k <= i && needless; ++k)
-            needless = distance_to_segment(line[k], kept.back(), line[i + 1]) <= tolerance;
-        if (needless) continue;
+        run.pass(line[i]);
+        if (run.may_end_at(line[i + 1])) continue;
         kept.push_back(line[i]);
-        last = i;
+        run = StraightRun(line[i], tolerance);
     }
     kept.push_back(line.back());
     return kept;

@@ -7,9 +7,10 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <sstream>
+
+#include "core/text_file.h"
 
 namespace runout {
 namespace {
@@ -24,14 +25,7 @@ constexpr std::array shapes = {"normal", "lognormal", "triangular", "uniform"};
 constexpr std::array path_keys = {"section.file", "section.raster", "section.line"};
 
 std::string read_text(const std::string& path) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(path, ignored))
-        throw InputError({.file = path, .line = 0, .key = {}, .value = {}}, "is not a file",
-                         "give a study (.toml)");
-    std::ifstream stream(path, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
+    return read_text_file(path, "give a study (.toml)");
 }
 
 std::string text_of(const toml::node& node) {

@@ -7,11 +7,11 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
+#include <sstream>
 
 #include "core/input_error.h"
+#include "core/text_file.h"
 #include "scene/parameters.h"
 #include "study/scenarios.h"
 
@@ -42,12 +42,10 @@ Fields split(const std::string& text, char mark) {
 
 /// Lines of a CSV with just these columns; # starts a comment line. No quotes: a field holds no comma.
 std::vector<Line> read_lines(const std::string& path, const Fields& columns) {
-    std::ifstream file(path);
+    std::istringstream file(
+        read_text_file(path, "a back-analysis has case.toml, ranges.csv and observed.csv"));
     InputPlace place{.file = path, .line = 0, .key = {}, .value = {}};
     const std::string header = fmt::format("{}", fmt::join(columns, ","));
-    if (!file)
-        throw InputError(place, "cannot be read",
-                         "a back-analysis has case.toml, ranges.csv and observed.csv");
     std::vector<Line> lines;
     bool in_header = true;
     for (std::string text; std::getline(file, text);) {
@@ -124,8 +122,7 @@ std::vector<PlannedRun> varied(const std::vector<PlannedRun>& runs, const InputR
 /// A back-analysis is a study of its own name, so that its runs can be shown together.
 void store_study(const BackAnalysis& analysis, const std::vector<PlannedRun>& planned,
                  const std::vector<long>& run_ids, Store& store) {
-    std::ifstream file(analysis.folder + "/ranges.csv");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = read_text_file(analysis.folder + "/ranges.csv", "");
     std::vector<StudyScenario> scenarios;
     for (std::size_t i = 0; i < run_ids.size(); ++i)
         scenarios.push_back(

@@ -1,11 +1,12 @@
 #include "validation/data_file.h"
 
 #include <charconv>
-#include <fstream>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 #include "core/input_error.h"
+#include "core/text_file.h"
 
 namespace runout {
 namespace {
@@ -35,9 +36,8 @@ double number_of(const std::vector<std::string>& fields, std::size_t column, con
 }  // namespace
 
 std::vector<Vec2> read_points(const std::string& path, const std::string& label) {
-    std::ifstream file(path);
+    std::istringstream file(read_text_file(path, "it comes with the program under cases/"));
     InputPlace place{.file = path, .line = 0, .key = {}, .value = {}};
-    if (!file) throw InputError(place, "cannot be read", "it comes with the program under cases/");
     std::vector<Vec2> points;
     bool in_header = true;
     for (std::string line; std::getline(file, line);) {

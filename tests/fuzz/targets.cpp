@@ -14,6 +14,7 @@
 
 #include "core/input_error.h"
 #include "profile/profile.h"
+#include "profile/read_section_table.h"
 #include "scene/case_file.h"
 #include "scene/case_spec.h"
 #include "source/source.h"
@@ -155,7 +156,9 @@ void override_with(std::string_view text) {
 
 void read_section(std::span<const std::uint8_t> bytes) {
     const std::string path = written(bytes, ".csv");
-    accept_input_error([&] { check(read_profile_csv(path, {})); });
+    for (const TableOptions& said :
+         {TableOptions{}, TableOptions{.columns = "2,1"}, TableOptions{.unit = "ft", .decimal = "comma"}})
+        accept_input_error([&] { check(make_profile(read_section_table(path, said), {})); });
 }
 
 void read_case_file(std::span<const std::uint8_t> bytes) {
