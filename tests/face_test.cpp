@@ -10,6 +10,7 @@
 #include "core/units.h"
 #include "face_shapes.h"
 #include "profile/profile.h"
+#include "profile/read_section_table.h"
 #include "said.h"
 
 using namespace runout;
@@ -358,15 +359,19 @@ TEST(GivenChainage, FarBeyondTheFootOfTheFaceIsTakenWithAWarning) {
 
 // ---- sections as people have them
 
+Profile section_of(const std::string& name) {
+    return make_profile(read_section_table(RUNOUT_SOURCE_DIR "/tests/field/" + name + ".csv", {}), {});
+}
+
 TEST(FieldSections, HaveTheToeThatASurveyorWouldName) {
     for (const std::string name : {"kerb-beyond", "kerb-near", "step-1mm", "u-channel", "crack"}) {
-        const Profile p = read_profile_csv(RUNOUT_SOURCE_DIR "/tests/field/" + name + ".csv", {});
+        const Profile p = section_of(name);
         EXPECT_EQ(p.toe_chainage_m, 41.547) << name;
         EXPECT_EQ(crest_chainage(p), 30) << name;
         EXPECT_EQ(p.toe_elevation_m, 12) << name;
         EXPECT_EQ(p.doubts, std::vector<std::string>{}) << name;
     }
-    const Profile wall = read_profile_csv(RUNOUT_SOURCE_DIR "/tests/field/wall-road-platform.csv", {});
+    const Profile wall = section_of("wall-road-platform");
     EXPECT_EQ(wall.toe_chainage_m, 28.6);
     EXPECT_EQ(wall.toe_elevation_m, 15.5);
     EXPECT_EQ(crest_chainage(wall), 18);
