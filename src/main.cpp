@@ -18,6 +18,7 @@ constexpr const char* examples = R"(Examples:
   runout run cases/box-70/case.toml
   runout run section.csv --source B --base-angle 35 --scarp-angle 80 --friction-angle 38
   runout run case.toml --set material.friction_angle_deg=35 --db study.db --json
+  runout new section.dxf -o case.toml
   runout source section.csv --source C --height 12 --area 60
   runout effects case.toml
   runout table runout.db --format csv
@@ -84,6 +85,7 @@ int run_program(int argc, char** argv) {
 
     Command command;
     add_run_command(app, command);
+    add_new_command(app, command);
     add_profile_command(app, command);
     add_source_command(app, command);
     add_effects_command(app, command);

@@ -34,6 +34,7 @@ const std::vector<Library>& heavy_libraries() {
     static const std::vector<Library> libraries = {
         {"CGAL", std::regex("^CGAL/.*"), {"source/polygons.cpp"}},
         {"GDAL", std::regex("^(gdal|ogr|cpl_|gnm|vrtdataset).*"), {"gis"}},
+        {"pugixml", std::regex("^pugixml.*"), {"profile/landxml_sections.cpp"}},
         {"CHOLMOD",
          std::regex("^(suitesparse/)?(cholmod|SuiteSparse|umfpack|amd|colamd).*|^Eigen/CholmodSupport"),
          {"engine"}},

@@ -9,9 +9,9 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr LengthUnit metre{"metres", 1};
-constexpr LengthUnit foot{"feet (0.3048 m)", 0.3048};
-constexpr LengthUnit us_foot{"US survey feet (1200/3937 m)", 1200.0 / 3937.0};
+constexpr LengthUnit metre = *length_unit("m");
+constexpr LengthUnit foot = *length_unit("ft");
+constexpr LengthUnit us_foot = *length_unit("us-ft");
 
 /// Letters of U+00C0 to U+017F without their accents, in lower case.
 constexpr std::string_view base_letters =
@@ -113,8 +113,8 @@ std::optional<LengthUnit> unit_of_word(std::string_view word) {
         return metre;
     if (is_one_of(word, {"km", "kilometre", "kilometres", "kilometer", "kilometers"}))
         return LengthUnit{"kilometres", 1000};
-    if (is_one_of(word, {"cm", "centimetres", "centimeters"})) return LengthUnit{"centimetres", 0.01};
-    if (is_one_of(word, {"mm", "millimetres", "millimeters"})) return LengthUnit{"millimetres", 0.001};
+    if (is_one_of(word, {"cm", "centimetres", "centimeters"})) return length_unit("cm");
+    if (is_one_of(word, {"mm", "millimetres", "millimeters"})) return length_unit("mm");
     return std::nullopt;
 }
 
@@ -211,11 +211,6 @@ ColumnRole role_of(const Words& words) {
 }
 
 }  // namespace
-
-LengthUnit unit_named(std::string_view name) {
-    if (name == "ft") return foot;
-    return name == "us-ft" ? us_foot : metre;
-}
 
 ColumnName column_name(std::string_view cell) {
     ColumnName column;

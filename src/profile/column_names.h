@@ -5,18 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/length_unit.h"
+
 namespace runout {
-
-/// A unit that a table may be in.
-struct LengthUnit {
-    std::string_view name;  ///< "metres", "feet (0.3048 m)"
-    double metres = 1;
-
-    [[nodiscard]] bool is_foot() const { return metres > 0.3 && metres < 0.31; }
-};
-
-/// m, ft, us-ft: what section.unit may be.
-LengthUnit unit_named(std::string_view name);
 
 /// What a column holds, as far as its name says.
 enum class ColumnRole {

@@ -9,7 +9,7 @@ namespace runout {
 /// What the user says of a table; what is left empty is found in the file.
 struct TableOptions {
     std::string columns{};  ///< of chainage and elevation: "Station,Elev" or "3,5"
-    std::string unit{};     ///< m, ft or us-ft
+    std::string unit{};     ///< m, cm, mm, ft, us-ft or in
     std::string decimal{};  ///< point or comma
 };
 

@@ -42,7 +42,7 @@ void refuse_feet_of_title(const TableReading& reading) {
 TableUnits units_of_header(const TableReading& reading, bool stations_of_100) {
     refuse_strange_unit(reading, reading.layout.chainage);
     refuse_strange_unit(reading, reading.layout.elevation);
-    const LengthUnit metre = unit_named("m");
+    const LengthUnit metre = *length_unit("m");
     const auto& chainage = reading.layout.chainage.name.unit;
     const LengthUnit elevation = reading.layout.elevation.name.unit.value_or(metre);
     // Stations of 100 are feet wherever they are written.
@@ -84,9 +84,10 @@ std::string text_of(const TableUnits& units, bool said) {
 
 TableUnits table_units(const TableReading& reading, const std::vector<PointCells>& points) {
     const auto station = station_text(points.front().chainage);
-    const LengthUnit wanted = unit_named(reading.options.unit);
+    const std::string& word = reading.options.unit;
+    const LengthUnit wanted = known_length_unit(word.empty() ? "m" : word);
     TableUnits units{wanted, wanted, std::nullopt, {}};
-    if (reading.options.unit.empty()) units = units_of_header(reading, station && station->digits_after == 2);
+    if (word.empty()) units = units_of_header(reading, station && station->digits_after == 2);
     if (station) {
         units.station_digits = station->digits_after;
         check_stations(reading, units, points.front());

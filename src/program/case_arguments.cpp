@@ -17,7 +17,7 @@ struct ShortOption {
     const char* key;
 };
 
-constexpr std::array<ShortOption, 28> short_options = {{
+constexpr std::array<ShortOption, 31> short_options = {{
     {"--source", "source.type"},
     {"--base-angle", "source.base_angle_deg"},
     {"--scarp-angle", "source.scarp_angle_deg"},
@@ -34,6 +34,9 @@ constexpr std::array<ShortOption, 28> short_options = {{
     {"--columns", "section.columns"},
     {"--unit", "section.unit"},
     {"--decimal", "section.decimal"},
+    {"--layer", "section.dxf_layers"},
+    {"--station", "section.station"},
+    {"--surface", "section.surface"},
     {"--raster", "section.raster"},
     {"--where", "section.where"},
     {"--toe-chainage", "section.toe_chainage_m"},
@@ -96,7 +99,8 @@ void check_given_once(const std::vector<Override>& overrides) {
 void add_case_arguments(CLI::App& subcommand, CaseArguments& arguments) {
     subcommand
         .add_option("FILE", arguments.file,
-                    "A case (.toml), a bare cross-section (.csv, .txt ...), or lines on a map (.gpkg, .shp, "
+                    "A case (.toml), a bare cross-section (.csv, .txt, .dxf, LandXML ...), or lines on a map "
+                    "(.gpkg, .shp, "
                     ".geojson ...)")
         ->required()
         ->type_name("");

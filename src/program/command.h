@@ -20,6 +20,7 @@ using Command = std::function<int()>;
 
 // Each declares one subcommand with its options, and sets `command` when it is the one that was named.
 void add_run_command(CLI::App& app, Command& command);
+void add_new_command(CLI::App& app, Command& command);
 void add_profile_command(CLI::App& app, Command& command);
 void add_map_command(CLI::App& app, Command& command);
 void add_source_command(CLI::App& app, Command& command);

@@ -36,9 +36,8 @@ struct Companions {
     std::string_view needs;
 };
 
-constexpr std::array<Companions, 35> companions = {{
+constexpr std::array<Companions, 34> companions = {{
     {"section.columns", "section.file"},
-    {"section.unit", "section.file"},
     {"section.decimal", "section.file"},
     {"section.raster", "section.line"},
     {"section.sampling_m", "section.raster"},

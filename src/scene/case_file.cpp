@@ -288,8 +288,9 @@ void forget_how_fine_the_file_said(CaseSpec& spec, std::string_view except) {
 /// Which key a file stands for that is no case; empty if none.
 std::string section_key(const std::string& extension) {
     constexpr std::array maps = {".gpkg", ".shp", ".geojson", ".fgb", ".gml", ".kml"};
-    constexpr std::array tables = {".csv", ".txt", ".tsv", ".dat", ".prn", ".xyz", ".pts"};
-    if (std::ranges::find(tables, extension) != tables.end()) return "section.file";
+    constexpr std::array sections = {".csv", ".txt", ".tsv", ".dat", ".prn",
+                                     ".xyz", ".pts", ".dxf", ".xml", ".landxml"};
+    if (std::ranges::find(sections, extension) != sections.end()) return "section.file";
     return std::ranges::find(maps, extension) != maps.end() ? "section.line" : "";
 }
 
@@ -306,9 +307,10 @@ CaseSpec read_case(const std::string& path) {
         assign(spec, known_parameter(place), path, place);
     } else {
         read_text(path);  // a missing file is the likelier mistake, and says so
-        throw InputError(whole_file(path), "is neither a case nor a section",
-                         "give a .toml file, a table as .csv, .txt, .tsv, .dat, .prn, .xyz or .pts, or lines "
-                         "as .gpkg, .shp, .geojson, .fgb, .gml or .kml");
+        throw InputError(
+            whole_file(path), "is neither a case nor a section",
+            "give a .toml file, a table as .csv, .txt, .tsv, .dat, .prn, .xyz or .pts, a drawing as "
+            ".dxf, LandXML as .xml, or lines as .gpkg, .shp, .geojson, .fgb, .gml or .kml");
     }
     if (!spec.has("run.name")) spec.name = name_from(path);
     return spec;

@@ -6,9 +6,9 @@
 
 namespace runout {
 
-/// Reads FILE: a case (.toml), or a bare section (.csv, or lines on a map such as .gpkg), which counts as a
-/// case that says nothing but its section. Throws InputError: no such file, wrong kind of file, TOML that
-/// does not parse, unknown key, value out of range.
+/// Reads FILE: a case (.toml), or a bare section (.csv, .dxf, LandXML, or lines such as .gpkg), which counts
+/// as a case that says nothing but its section. Throws InputError: no such file, wrong kind of file, TOML
+/// that does not parse, unknown key, value out of range.
 CaseSpec read_case(const std::string& path);
 
 /// One value from the command line: `key` as in a case file, `text` without TOML quotes. Replaces what the

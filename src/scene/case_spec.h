@@ -8,16 +8,16 @@
 
 #include "core/input_error.h"
 #include "profile/profile.h"
-#include "profile/read_section_table.h"
+#include "profile/section_file.h"
 #include "scene/scene.h"
 #include "source/source.h"
 
 namespace runout {
 
-/// Where the ground comes from: a table, or a line on a map.
+/// Where the ground comes from: a file of its own, or a line on a map.
 struct SectionSpec {
     std::string file;
-    TableOptions table;
+    SectionFileOptions format;  ///< of the file
     MapSection map;
     ProfileOptions options;
 };

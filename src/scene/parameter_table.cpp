@@ -25,24 +25,46 @@ SourceType source_type(const std::string& name) {
 std::vector<Parameter> section_parameters() {
     return {
         word("section.file", {}, "required, unless section.line is given",
-             "Cross-section as a text table of chainage and elevation (docs/sections.md); relative to the "
-             "case file.",
+             "Cross-section: a text table, a drawing (DXF), LandXML, or lines in a local system "
+             "(docs/sections.md); relative to the case file.",
              [](CaseSpec& spec, const std::string& path) { spec.section.file = path; }),
-        word("section.columns", {}, "found by the header",
-             "Columns of chainage and elevation in section.file, by name or number: Station,Elev or 1,3.",
-             [](CaseSpec& spec, const std::string& columns) { spec.section.table.columns = columns; }),
-        word("section.unit", {"m", "ft", "us-ft"}, "as the header says, else m",
-             "Unit of both columns of section.file; us-ft are US survey feet.",
-             [](CaseSpec& spec, const std::string& unit) { spec.section.table.unit = unit; }),
-        word("section.decimal", {"point", "comma"}, "found in the numbers",
-             "Decimal mark of the numbers in section.file.",
-             [](CaseSpec& spec, const std::string& mark) { spec.section.table.decimal = mark; }),
         number("section.toe_chainage_m", "m", any_number, "found on the section",
                "Chainage of the foot of the cut.",
                [](CaseSpec& spec, double metres) { spec.section.options.toe_chainage_m = metres; }),
         number("section.crest_chainage_m", "m", any_number, "found on the section",
                "Chainage of the upper edge of the cut.",
                [](CaseSpec& spec, double metres) { spec.section.options.crest_chainage_m = metres; }),
+    };
+}
+
+SectionFileOptions& format_of(CaseSpec& spec) {
+    return spec.section.format;
+}
+
+std::vector<Parameter> section_format_parameters() {
+    return {
+        word("section.columns", {}, "found by the header",
+             "Columns of chainage and elevation in a table, by name or number: Station,Elev or 1,3.",
+             [](CaseSpec& spec, const std::string& columns) { format_of(spec).columns = columns; }),
+        word("section.decimal", {"point", "comma"}, "found in the numbers",
+             "Decimal mark of the numbers in a table.",
+             [](CaseSpec& spec, const std::string& mark) { format_of(spec).decimal = mark; }),
+        word("section.unit", {"m", "cm", "mm", "ft", "us-ft", "in"}, "as the file says, else m",
+             "Unit of chainage and elevation in a section of its own file; us-ft are US survey feet.",
+             [](CaseSpec& spec, const std::string& unit) { format_of(spec).unit = unit; }),
+        word("section.dxf_layers", {}, "layers called ground, source and slip; else the only one with lines",
+             "Layers of a drawing: ground=NAME,source=NAME,slip=NAME, each optional; a source is an outline, "
+             "a "
+             "slip a slip line.",
+             [](CaseSpec& spec, const std::string& names) { format_of(spec).dxf_layers = names; }),
+        word("section.alignment", {}, "the only one", "Alignment of a LandXML file, by its name.",
+             [](CaseSpec& spec, const std::string& name) { format_of(spec).landxml.alignment = name; }),
+        word("section.station", {}, "the only one",
+             "Cross-section of a LandXML file, by its station (120.5 or 0+120.5); or profile, the long "
+             "profile.",
+             [](CaseSpec& spec, const std::string& station) { format_of(spec).landxml.station = station; }),
+        word("section.surface", {}, "the only one", "Surface of a LandXML cross-section, by its name.",
+             [](CaseSpec& spec, const std::string& name) { format_of(spec).landxml.surface = name; }),
     };
 }
 
@@ -55,7 +77,8 @@ std::vector<Parameter> line_parameters() {
         word("section.line", {}, "none",
              "Vector file (GDAL) with section lines; each line that is not left out is a section.",
              [](CaseSpec& spec, const std::string& path) { line_of(spec).file = path; }),
-        word("section.layer", {}, "the only one", "Layer of section.line.",
+        word("section.layer", {}, "the only one",
+             "Layer of section.line; the layers of a drawing are section.dxf_layers.",
              [](CaseSpec& spec, const std::string& name) { line_of(spec).layer = name; }),
         integer("section.feature_id", between(0, 2e9), "every line",
                 "The one line to take, by its feature id.",
@@ -234,9 +257,10 @@ std::vector<Parameter> numerical_run_parameters() {
 
 std::vector<Parameter> whole_table() {
     std::vector<Parameter> table;
-    for (const auto& part : {section_parameters(), line_parameters(), raster_parameters(),
-                             source_shape_parameters(), source_place_parameters(), material_parameters(),
-                             effect_parameters(), physical_run_parameters(), numerical_run_parameters()})
+    for (const auto& part :
+         {section_parameters(), section_format_parameters(), line_parameters(), raster_parameters(),
+          source_shape_parameters(), source_place_parameters(), material_parameters(), effect_parameters(),
+          physical_run_parameters(), numerical_run_parameters()})
         table.insert(table.end(), part.begin(), part.end());
     return table;
 }

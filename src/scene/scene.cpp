@@ -11,6 +11,7 @@
 #include "scene/case_spec.h"
 #include "scene/parameters.h"
 #include "scene/place_effects.h"
+#include "scene/read_ground.h"
 #include "scene/rest_check.h"
 
 namespace runout {
@@ -22,12 +23,6 @@ constexpr double most_particles = 5e6;
 
 constexpr int cohesive_friction_iterations = 60;
 constexpr double cohesive_pressure_tolerance = 1e-3;
-
-Profile read_ground(const SectionSpec& section) {
-    if (!section.file.empty())
-        return make_profile(read_section_table(section.file, section.table), section.options);
-    return read_map_section(section.map, section.options);
-}
 
 bool dips(SourceType type) {
     return type == SourceType::a || type == SourceType::b || type == SourceType::c;
@@ -54,10 +49,10 @@ std::map<std::string, InputPlace> source_places(const CaseSpec& spec) {
 
 /// What an engineer would try first when only a section is at hand: a wedge (type B) with the angles of the
 /// paper's Fig. 15.
-SourceSpec with_defaults(const CaseSpec& spec, std::vector<std::string>& assumed) {
-    SourceSpec source = spec.source;
+SourceSpec with_defaults(const CaseSpec& spec, const DrawnMass& drawn, std::vector<std::string>& assumed) {
+    SourceSpec source = with_drawn_mass(spec, drawn, assumed);
     source.places = source_places(spec);
-    if (!spec.has("source.type")) assumed.emplace_back("source.type = B");
+    if (!spec.has("source.type") && source.type == SourceType::b) assumed.emplace_back("source.type = B");
     if (dips(source.type)) assume(source.base_angle, radians(35), "source.base_angle_deg = 35", assumed);
     if (has_scarp(source.type))
         assume(source.scarp_angle, radians(80), "source.scarp_angle_deg = 80", assumed);
@@ -122,7 +117,7 @@ RunSettings run_settings(const CaseSpec& spec, std::vector<std::string>& assumed
 
 std::vector<CaseSpec> section_cases(const CaseSpec& spec) {
     check_keys_go_together(spec);
-    if (spec.section.map.line.file.empty()) return {spec};
+    if (!is_on_map(spec.section)) return {spec};
     const std::vector<SectionFeature> features = section_features(spec.section.map.line);
     if (features.size() == 1) return {spec};
     std::vector<CaseSpec> cases;
@@ -136,13 +131,15 @@ std::vector<CaseSpec> section_cases(const CaseSpec& spec) {
 
 Profile make_ground(const CaseSpec& spec) {
     check_keys_go_together(spec);
-    return read_ground(spec.section);
+    return read_ground(spec).profile;
 }
 
 Site make_site(const CaseSpec& spec) {
+    check_keys_go_together(spec);
+    Ground ground = read_ground(spec);
     Site site;
-    site.profile = make_ground(spec);
-    site.source = derive_source(site.profile, with_defaults(spec, site.assumed));
+    site.profile = std::move(ground.profile);
+    site.source = derive_source(site.profile, with_defaults(spec, ground.mass, site.assumed));
     say_where_it_was_put(spec, site, site.assumed);
     return site;
 }

@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "core/input_error.h"
+#include "program/case_arguments.h"
+#include "program/command.h"
+#include "program/output_file.h"
+#include "scene/new_case.h"
+
+namespace runout {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct NewArguments {
+    CaseArguments scenario;
+    std::string output;
+};
+
+void check_place(const std::string& output) {
+    check_output_place(output, "--output");
+    if (fs::exists(output))
+        throw InputError({"--output", 0, "", output}, "exists already", "give the name of a new file");
+}
+
+int write_new_case(const NewArguments& arguments) {
+    if (!arguments.output.empty()) check_place(arguments.output);
+    const CaseSpec spec = case_from(arguments.scenario);
+    if (!spec.has("section.file") && !spec.has("section.line"))
+        throw InputError({spec.file, 0, "", ""}, "is not a section", "give a section file or lines on a map");
+    if (fs::path(spec.file).extension() == ".toml")
+        throw InputError({spec.file, 0, "", ""}, "is a case already",
+                         "give the section that a case is to be made of");
+    const fs::path folder = arguments.output.empty() ? "." : fs::absolute(arguments.output).parent_path();
+    const NewCase made = new_case(spec, folder.string());
+    if (made.example_friction)
+        spdlog::warn("material.friction_angle_deg = 38 is an example; give that of the soil");
+    if (arguments.output.empty()) {
+        fmt::print("{}", made.text);
+        return exit_code::success;
+    }
+    write_output_file(arguments.output, "--output", made.text);
+    fmt::print("{} is a case with {} and a source of type {}; next: runout run {}\n", arguments.output,
+               spec.file, to_string(made.source_type), arguments.output);
+    return exit_code::success;
+}
+
+}  // namespace
+
+void add_new_command(CLI::App& app, Command& command) {
+    const auto arguments = std::make_shared<NewArguments>();
+    CLI::App* sub = app.add_subcommand("new", "Write a case with explained keys from a section");
+    add_case_arguments(*sub, arguments->scenario);
+    sub->add_option("-o,--output", arguments->output, "File to write; standard output when it is not given")
+        ->type_name("PATH")
+        ->group("Output");
+    sub->callback([arguments, &command] { command = [arguments] { return write_new_case(*arguments); }; });
+}
+
+}  // namespace runout
