@@ -29,6 +29,9 @@ int replay(const char* name, void (*target)(std::span<const std::uint8_t>)) {
 TEST(Corpus, OfTheCsvReader) {
     EXPECT_GT(replay("csv_reader", fuzz::read_section), 10);
 }
+TEST(Corpus, OfSectionsInAnyFormat) {
+    EXPECT_GT(replay("section_file", fuzz::read_any_section), 10);
+}
 TEST(Corpus, OfTheCaseReader) {
     EXPECT_GT(replay("case_reader", fuzz::read_case_file), 10);
 }

@@ -197,7 +197,7 @@ void write_material(CaseText& text, const CaseSpec& spec) {
 
 void write_run(CaseText& text, const CaseSpec& spec) {
     text.section("[run]");
-    text.offered("run.name", toml_string(spec.name));
+    text.given_or("run.name", toml_string(spec.name));
     text.offered("run.accuracy", toml_string(spec.accuracy));
     text.rest_of("run.");
 }

@@ -15,6 +15,7 @@
 #include "core/input_error.h"
 #include "profile/profile.h"
 #include "profile/read_section_table.h"
+#include "profile/section_file.h"
 #include "scene/case_file.h"
 #include "scene/case_spec.h"
 #include "source/source.h"
@@ -159,6 +160,11 @@ void read_section(std::span<const std::uint8_t> bytes) {
     for (const TableOptions& said :
          {TableOptions{}, TableOptions{.columns = "2,1"}, TableOptions{.unit = "ft", .decimal = "comma"}})
         accept_input_error([&] { check(make_profile(read_section_table(path, said), {})); });
+}
+
+void read_any_section(std::span<const std::uint8_t> bytes) {
+    const std::string path = written(bytes, "");
+    accept_input_error([&] { check(make_profile(read_section_file(path, {}).section, {})); });
 }
 
 void read_case_file(std::span<const std::uint8_t> bytes) {

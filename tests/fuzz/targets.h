@@ -12,6 +12,9 @@ namespace runout::fuzz {
 /// Bytes as a section in CSV.
 void read_section(std::span<const std::uint8_t> bytes);
 
+/// Bytes as a section in whatever format they look like.
+void read_any_section(std::span<const std::uint8_t> bytes);
+
 /// Bytes as a case file, then each of its lines as an override on the command line.
 void read_case_file(std::span<const std::uint8_t> bytes);
 
