@@ -9,6 +9,7 @@
 #include "random_sections.h"
 #include "said.h"
 #include "scene/case_file.h"
+#include "scene/parameters.h"
 #include "section_files.h"
 
 namespace runout {
@@ -20,9 +21,7 @@ class NewCases : public SectionFiles {
   protected:
     [[nodiscard]] std::string folder() const { return path(""); }
     std::string text_for(const CaseSpec& spec) const { return new_case(spec, folder()).text; }
-    Scene scene_of(const std::string& text) const {
-        return make_scene(read_case(write("case.toml", text)));
-    }
+    Scene scene_of(const std::string& text) const { return make_scene(read_case(write("case.toml", text))); }
     [[nodiscard]] CaseSpec table(const Polyline& points) const {
         return read_case(write("section.csv", csv_text(points)));
     }
@@ -37,7 +36,11 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 bool is_key_in_a_comment(const std::string& line) {
     const std::size_t equals = line.find(" = ");
-    return line.starts_with("# ") && equals != std::string::npos && line.find(' ', 2) == equals;
+    if (!line.starts_with("# ") || equals == std::string::npos) return false;
+    const std::string_view name = std::string_view(line).substr(2, equals - 2);
+    return std::ranges::any_of(parameters(), [&](const Parameter& parameter) {
+        return parameter.key.substr(parameter.key.rfind('.') + 1) == name;
+    });
 }
 
 /// The text with the # taken from one line.
@@ -95,9 +98,10 @@ TEST_F(NewCases, ExplainEachKeyAndSayWhatWasFound) {
 TEST_F(NewCases, KeepWhatWasGiven) {
     CaseSpec spec = table(cut);
     override_value(spec, "material.friction_angle_deg", ".35e2", "--friction-angle");
-    override_value(spec, "section.toe_chainage_m", "041.5", "--toe-chainage");
+    override_value(spec, "section.toe_chainage_m", "041.4", "--toe-chainage");
     override_value(spec, "source.type", "C", "--source");
     override_value(spec, "source.base_angle_deg", "40", "--base-angle");
+    override_value(spec, "source.area_m2", "100", "--area");
     override_value(spec, "run.name", "the \"cut\"\nat \\ Shek O", "--name");
     override_value(spec, "run.resolution", "12", "--resolution");
     override_value(spec, "run.snapshot_times_s", "[1, 2]", "--set");
@@ -107,7 +111,7 @@ TEST_F(NewCases, KeepWhatWasGiven) {
     EXPECT_EQ(made.source_type, SourceType::c);
     const Scene scene = scene_of(made.text);
     EXPECT_DOUBLE_EQ(scene.material.friction_angle, radians(35));
-    EXPECT_EQ(scene.profile.toe_chainage_m, 41.5);
+    EXPECT_EQ(scene.profile.toe_chainage_m, 41.4);
     EXPECT_EQ(scene.name, "the \"cut\"\nat \\ Shek O");
     EXPECT_EQ(scene.run.resolution, 12);
     EXPECT_EQ(scene.run.snapshot_times, (std::vector<double>{1, 2}));
@@ -120,7 +124,7 @@ TEST_F(NewCases, FindASourceForAGentleSlopeAndForAWall) {
     EXPECT_EQ(gentle.source_type, SourceType::b);
     EXPECT_TRUE(contains(gentle.text, "base_angle_deg = 12"));  // of a face of 20.6 deg
     const NewCase wall = new_case(table({{0, 20}, {30, 20}, {30, 12}, {200, 12}}), folder());
-    EXPECT_EQ(wall.source_type, SourceType::c);
+    EXPECT_EQ(wall.source_type, SourceType::slip_surface);
     scene_of(wall.text);
 }
 

@@ -42,7 +42,7 @@ TEST_F(SectionFormats, ACrossSectionIsItsOffsetsAndElevations) {
     const SectionPoints read = landxml(one_surface(cut));
     EXPECT_EQ(read.points, cut);
     EXPECT_EQ(read.read_as,
-              "cross-section at station 20, surface EG, alignment A; offset = chainage, in metres");
+              "read as: cross-section at station 20, surface EG, alignment A; offset = chainage, in metres");
     EXPECT_EQ(read.lines, std::vector<int>(4, 7));
 }
 

@@ -113,8 +113,8 @@ std::string count_of(std::size_t lines) {
 
 std::string how_it_was_read(const LayerRoles& roles, const LayerLines& ground, const UnitChoice& choice) {
     std::string text =
-        fmt::format("x = chainage and y = elevation in {}, {}; ground: {} on layer {}", choice.unit.name,
-                    choice.reason, count_of(ground.pieces.size()), roles.ground);
+        fmt::format("read as: x = chainage and y = elevation in {}, {}; ground: {} on layer {}",
+                    choice.unit.name, choice.reason, count_of(ground.pieces.size()), roles.ground);
     if (ground.off_the_curve > 0)
         text += fmt::format(", splines in pieces that are up to about {:.2g} m off them",
                             ground.off_the_curve * choice.unit.metres);

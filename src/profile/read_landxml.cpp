@@ -128,7 +128,8 @@ LengthUnit unit_of(const LandXmlFile& file, const LandXmlChoice& choice, const s
 std::string how_it_was_read(const LandXmlSection& section, const LandXmlFile& file, const LengthUnit& unit,
                             const LandXmlChoice& choice) {
     const bool profile = section.station == "profile";
-    std::string text = profile ? "long profile" : fmt::format("cross-section at station {}", section.station);
+    std::string text = profile ? "read as: long profile"
+                               : fmt::format("read as: cross-section at station {}", section.station);
     if (!section.surface.empty()) text += fmt::format(", surface {}", section.surface);
     if (!section.alignment.empty()) text += fmt::format(", alignment {}", section.alignment);
     text += fmt::format("; {} = chainage, in {}", profile ? "station" : "offset", unit.name);

@@ -17,6 +17,7 @@
 #include "scene/parameters.h"
 #include "scene/read_ground.h"
 #include "scene/toml_text.h"
+#include "source/ground_walk.h"
 
 namespace runout {
 namespace {
@@ -39,16 +40,30 @@ bool says_source(const CaseSpec& spec) {
                                [](const auto& entry) { return entry.first.starts_with("source."); });
 }
 
-/// From the usual wedge to what fits a gentle slope and a wall.
-std::vector<Settings> sources_to_try(double face) {
-    const auto dipping = [](const char* type, double base_deg, double scarp_deg) -> Settings {
-        return {{"source.type", type},
+/// A slip line from the toe to the ground behind the crest, its middle at this share of the height.
+Settings slip_line(const Profile& profile, double middle) {
+    const Polyline& ground = profile.ground;
+    const Vec2& crest = ground[profile.crest];
+    const double back = std::max(ground.front().x(), crest.x() - 0.4 * crest.y());
+    const Vec2 toe = profile.to_section({0, 0});
+    const Vec2 bend = profile.to_section({crest.x() / 2 + back / 2, middle * crest.y()});
+    const Vec2 top = profile.to_section({back, elevation_at(ground, back)});
+    return {{"source.type", "slip_surface"},
+            {"source.points", fmt::format("[[{}, {}], [{:.7g}, {:.7g}], [{}, {}]]", toe.x(), toe.y(),
+                                          bend.x(), bend.y(), top.x(), top.y())}};
+}
+
+/// The usual wedge, flatter ones for gentle faces, and slip lines for what has walls and benches.
+std::vector<Settings> sources_to_try(const Profile& profile) {
+    const auto wedge = [](double base_deg, double scarp_deg) -> Settings {
+        return {{"source.type", "B"},
                 {"source.base_angle_deg", fmt::format("{:g}", base_deg)},
                 {"source.scarp_angle_deg", fmt::format("{:g}", scarp_deg)}};
     };
-    const double gentle = std::max(1.0, std::floor(0.6 * degrees(face)));
-    return {dipping("B", 35, 80), dipping("B", gentle, 80), dipping("B", 35, 90),    dipping("B", gentle, 90),
-            dipping("C", 35, 80), dipping("C", 45, 80),     dipping("C", gentle, 80)};
+    const double gentle = std::max(1.0, std::floor(0.6 * degrees(profile.slope_angle)));
+    std::vector<Settings> tries = {wedge(35, 80), wedge(gentle, 80), wedge(35, 90), wedge(gentle, 90)};
+    for (const double middle : {0.5, 0.3, 0.1, 0.02}) tries.push_back(slip_line(profile, middle));
+    return tries;
 }
 
 CaseSpec with_settings(const CaseSpec& spec, const Settings& settings) {
@@ -77,9 +92,9 @@ Completed with_source(const CaseSpec& spec) {
     const Ground ground = read_ground(spec);
     const bool drawn = !ground.mass.outline.empty() || !ground.mass.slip_line.empty();
     if (says_source(spec) || drawn) return {spec, make_site(spec)};
-    for (const Settings& settings : sources_to_try(ground.profile.slope_angle()))
+    for (const Settings& settings : sources_to_try(ground.profile))
         if (std::optional<Completed> fitting = tried(spec, settings)) return *std::move(fitting);
-    throw InputError({spec.file, 0, "", ""}, "has no face that a source of type B or C fits",
+    throw InputError({spec.file, 0, "", ""}, "has no face that a source could be made for",
                      "give toe and crest (--toe-chainage, --crest-chainage), or a source (--source)");
 }
 
@@ -154,14 +169,15 @@ void write_section(CaseText& text, const CaseSpec& spec, const Profile& profile)
     text.section("[section]");
     text.given(spec.has("section.file") ? "section.file" : "section.line");
     text.rest_of("section.");
-    if (!profile.read_as.empty()) text.comment(fmt::format("As it was read: {}.", profile.read_as));
+    if (!profile.read_as.empty()) text.comment(fmt::format("The file is {}.", profile.read_as));
     const Vec2 crest = profile.to_section(profile.ground[profile.crest]);
     text.comment(
         fmt::format("The face goes from chainage {:.6g} m (elevation {:.6g} m) down to {:.6g} m "
                     "({:.6g} m), {:.4g} m high, {:.1f} deg.",
                     crest.x(), crest.y(), profile.toe_chainage_m, profile.toe_elevation_m,
-                    profile.ground[profile.crest].y(), degrees(profile.slope_angle())));
+                    profile.ground[profile.crest].y(), degrees(profile.slope_angle)));
     for (const std::string& doubt : profile.doubts) text.comment("Doubtful: " + doubt);
+    text.comment("Take the # from both keys to keep this face, whatever the section becomes.");
     text.offered("section.toe_chainage_m", shortest(profile.toe_chainage_m));
     text.offered("section.crest_chainage_m", shortest(crest.x()));
 }
