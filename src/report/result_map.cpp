@@ -54,7 +54,8 @@ MapLayer section_layer(const MapRuns& runs) {
         if (!drawn.insert(key).second) continue;
         feature.attributes.push_back({"section_origin", run.run.section_origin});
         feature.attributes.push_back({"slope_angle_deg", run.run.slope_angle_deg});
-        feature.attributes.push_back({"length_m", run.place.line.chainage_m.back()});
+        feature.attributes.push_back(
+            {"length_m", run.place.line.chainage_m.back() - run.place.line.chainage_m.front()});
         layer.features.push_back(std::move(feature));
     }
     return layer;

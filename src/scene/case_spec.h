@@ -7,17 +7,19 @@
 #include <string_view>
 
 #include "core/input_error.h"
+#include "gis/placed_line.h"
 #include "profile/profile.h"
 #include "scene/scene.h"
 #include "source/source.h"
 
 namespace runout {
 
-/// Where the ground comes from: a CSV, or a line on a map.
+/// Where the ground comes from: a table, which may be placed on a map, or a line on a map.
 struct SectionSpec {
     std::string file;
     MapSection map;
     ProfileOptions options;
+    LinePlacing placing{};  ///< of a table; its origin is NaN where it lies on no map
 };
 
 /// What the user said, key by key, in SI and radians. Each value is within its own range; whether the values

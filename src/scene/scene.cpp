@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -23,9 +24,19 @@ constexpr double most_particles = 5e6;
 constexpr int cohesive_friction_iterations = 60;
 constexpr double cohesive_pressure_tolerance = 1e-3;
 
+/// Puts a section that comes without a map where the case says it lies.
+void place_on_map(const SectionSpec& section, Profile& profile) {
+    if (!section.placing.origin.allFinite()) return;
+    const auto [from, to] = std::minmax(
+        {profile.to_section(profile.ground.front()).x(), profile.to_section(profile.ground.back()).x()});
+    profile.map_line = placed_line(section.placing, from, to);
+}
+
 Profile read_ground(const SectionSpec& section) {
-    if (!section.file.empty()) return read_profile_csv(section.file, section.options);
-    return read_map_section(section.map, section.options);
+    if (section.file.empty()) return read_map_section(section.map, section.options);
+    Profile profile = read_profile_csv(section.file, section.options);
+    place_on_map(section, profile);
+    return profile;
 }
 
 bool dips(SourceType type) {
@@ -118,20 +129,6 @@ RunSettings run_settings(const CaseSpec& spec, std::vector<std::string>& assumed
 }
 
 }  // namespace
-
-std::vector<CaseSpec> section_cases(const CaseSpec& spec) {
-    check_keys_go_together(spec);
-    if (spec.section.map.line.file.empty()) return {spec};
-    const std::vector<SectionFeature> features = section_features(spec.section.map.line);
-    if (features.size() == 1) return {spec};
-    std::vector<CaseSpec> cases;
-    for (const SectionFeature& feature : features) {
-        CaseSpec& single = cases.emplace_back(spec);
-        single.section.map.line.feature_id = feature.feature_id;
-        single.name = fmt::format("{}-{}", spec.name, feature.label);
-    }
-    return cases;
-}
 
 Profile make_ground(const CaseSpec& spec) {
     check_keys_go_together(spec);
