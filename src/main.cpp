@@ -8,6 +8,7 @@
 
 #include "core/input_error.h"
 #include "core/version.h"
+#include "gis/network.h"
 #include "program/command.h"
 
 namespace {
@@ -80,6 +81,10 @@ int run_program(int argc, char** argv) {
         "runout");
     app.set_version_flag("--version", version_text());
     app.require_subcommand(1);
+    app.fallthrough();  // options of the program may follow those of a subcommand
+    app.add_flag_callback(
+        "--allow-network", allow_network,
+        "Let maps and rasters lie on other machines, and virtual rasters refer to any file");
     app.footer(examples);
 
     Command command;

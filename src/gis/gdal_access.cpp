@@ -27,6 +27,7 @@ constexpr double true_scale = 1e-3;
 
 void set_up_gdal() {
     CPLSetConfigOption("GDAL_VRT_ENABLE_PYTHON", "NO");
+    CPLSetConfigOption("GPX_ELE_AS_25D", "YES");  // else a track has no elevations
     CPLSetConfigOption("GML_PARSER", "EXPAT");  // which fetches no document type from elsewhere
     register_drivers();
     if (!network_is_allowed()) close_network();
@@ -170,7 +171,7 @@ std::array<double, 2> scales_at(const Vec2& place, double step, const Transforma
     Eigen::Matrix2d stretch;
     stretch.col(0) = (to_ground(place + Vec2(step, 0)) - middle) / metres;
     stretch.col(1) = (to_ground(place + Vec2(0, step)) - middle) / metres;
-    const double area = std::abs(stretch.determinant());
+    const double area = std::abs(stretch(0, 0) * stretch(1, 1) - stretch(0, 1) * stretch(1, 0));
     const double sum = stretch.squaredNorm();  // of the squares of both
     const double apart = std::sqrt(std::max(0.0, sum * sum / 4 - area * area));
     return {std::sqrt(sum / 2 + apart), std::sqrt(std::max(0.0, sum / 2 - apart))};

@@ -109,6 +109,9 @@ MapLine sketch_of(const OGRFeature& feature, OGRLayer& layer, const LineQuery& q
             return sketch;
         sketch.crs = wkt_of(map_reference(reference_of(layer, query)));
         sketch.points = std::move(places);
+        for (std::size_t i = 0; i < sketch.points.size(); ++i)
+            sketch.chainage_m.push_back(
+                i == 0 ? 0.0 : sketch.chainage_m.back() + (sketch.points[i] - sketch.points[i - 1]).norm());
     } catch (const InputError&) {
         // then there is nothing to draw
     }
@@ -117,7 +120,7 @@ MapLine sketch_of(const OGRFeature& feature, OGRLayer& layer, const LineQuery& q
 
 LineFeature line_feature(const OGRFeature& feature, OGRLayer& layer, const LineQuery& query,
                          const std::string& driver) {
-    LineFeature listed{layer.GetName(), static_cast<long>(feature.GetFID()), {}, {}};
+    LineFeature listed{query.file, layer.GetName(), static_cast<long>(feature.GetFID()), {}, {}};
     try {
         listed.drawn = section_line(feature, layer, query, driver).map;
     } catch (const InputError& refusal) {

@@ -32,16 +32,17 @@ struct SectionLine {
     MapLine map;
     std::vector<LineVertex> vertices;  ///< all of them; those of a vertical face have one chainage; empty for
                                        ///< a 2-D line
-    double elevation_unit_m = 0;  ///< metres in such a unit if the data set says so, else 0
-    std::string height_datum;     ///< what its heights are counted from where that is no level:
-                                  ///< "clampToGround", "relativeToGround"; else empty
+    double elevation_unit_m = 0;       ///< metres in such a unit if the data set says so, else 0
+    std::string height_datum;          ///< what its heights are counted from where that is no level:
+                                       ///< "clampToGround", "relativeToGround"; else empty
 };
 
 /// One feature of a layer, which may be no section.
 struct LineFeature {
+    std::string file;
     std::string layer;
     long feature_id = 0;
-    MapLine drawn;  ///< of one that is refused: no chainages, and points only if it has any
+    MapLine drawn;  ///< of one that is refused: points only if it has any, chainages in units of its system
     std::optional<InputError> refusal{};  ///< why it is no section
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/input_error.h"
 #include "report/map_styles.h"
 
 namespace runout {
@@ -36,6 +37,16 @@ std::vector<ColourClass> thickness_classes() {
     return {{0, 0.25, "up to 0.25 m", {255, 255, 178}}, {0.25, 0.5, "0.25 to 0.5 m", {254, 217, 118}},
             {0.5, 1, "0.5 to 1 m", {253, 141, 60}},     {1, 2, "1 to 2 m", {240, 59, 32}},
             {2, 5, "2 to 5 m", {189, 0, 38}},           {5, 1000, "more than 5 m", {84, 0, 30}}};
+}
+
+/// The points of a line in the system of the map; none where it has none there.
+Polyline drawn_in(const MapLine& line, const std::string& crs) {
+    if (line.points.empty()) return {};
+    try {
+        return in_system(line, crs).points;
+    } catch (const InputError&) {
+        return {};
+    }
 }
 
 }  // namespace
@@ -163,6 +174,22 @@ MapLayer failed_layer(const MapRuns& runs) {
     return layer;
 }
 
+MapLayer refused_layer(const std::vector<RefusedSection>& sections, const std::string& crs) {
+    MapLayer layer{
+        "refused", "Lines that were refused as sections", GeometryKind::line, {}, line_style(red, 0.9)};
+    for (const RefusedSection& section : sections) {
+        MapFeature feature{drawn_in(section.line, crs), {}};
+        for (const Attribute& attribute : section.line.attributes)
+            feature.attributes.push_back({"section_" + attribute.name, attribute.value});
+        feature.attributes.push_back({"name", section.name});
+        feature.attributes.push_back({"feature_id", section.feature_id});
+        feature.attributes.push_back({"section_origin", section.origin});
+        feature.attributes.push_back({"reason", section.reason});
+        layer.features.push_back(std::move(feature));
+    }
+    return layer;
+}
+
 ResultMap result_map(const Store& store, const MapOptions& options) {
     const MapRuns runs = map_runs(store, options.every_run);
     const MapMetric metric(runs.crs, runs.runs.front().place.line.points.front());
@@ -183,6 +210,7 @@ ResultMap result_map(const Store& store, const MapOptions& options) {
     for (MapLayer& layer : probability_layers(runs, metric, map.remarks))
         map.sheet.layers.push_back(std::move(layer));
     map.sheet.layers.push_back(failed_layer(runs));
+    map.sheet.layers.push_back(refused_layer(store.refused_sections(), runs.crs));
     return map;
 }
 
