@@ -159,7 +159,7 @@ struct ElevationRaster::Impl {
             throw InputError(
                 place,
                 fmt::format("meets a cell of {:.7g}, which is no elevation between {:g} and {:g} m",
-                            cell.value, lowest_elevation_m, highest_elevation_m),
+                            cell.value, lowest_ground_m, highest_ground_m),
                 fmt::format(
                     "if it stands for no data, say so with gdal_edit.py -a_nodata {:.7g} and fill the "
                     "gap or move the line; if it counts in another unit, mend the raster",

@@ -55,12 +55,11 @@ void check_values(const Heights& heights) {
         if (is_missing(metres))
             throw InputError(heights.vertex(i), "has no elevation", "give it one, or give section.raster");
         if (is_elevation(metres)) continue;
-        throw InputError(
-            heights.vertex(i),
-            fmt::format("has {:.7g}, which is no elevation between {:g} and {:g} m",
-                        heights.line.vertices[i].elevation, lowest_elevation_m, highest_elevation_m),
-            "mend it, give section.elevation_unit where it counts in another unit, or give "
-            "section.raster");
+        throw InputError(heights.vertex(i),
+                         fmt::format("has {:.7g}, which is no elevation between {:g} and {:g} m",
+                                     heights.line.vertices[i].elevation, lowest_ground_m, highest_ground_m),
+                         "mend it, give section.elevation_unit where it counts in another unit, or give "
+                         "section.raster");
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/input_error.h"
 #include "core/units.h"
+#include "profile/check_elevations.h"
 #include "profile/line_attributes.h"
 #include "profile/line_elevations.h"
 #include "profile/profile.h"
@@ -73,13 +74,15 @@ Profile read_map_section(const MapSection& section, const ProfileOptions& option
         throw InputError({"", 0, "section.sampling_m", fmt::format("{:g}", section.sampling_m)},
                          "is not a distance", "give metres, or 0 for half a raster cell");
     SectionLine line = read_section_line(section.line);
-    std::vector<Vec2> points =
-        section.raster.empty() ? line_elevations(section, line) : points_on_raster(section, line);
-    std::string origin = origin_of(section, line);
+    SectionPoints read{.origin = origin_of(section, line)};
+    read.points = section.raster.empty() ? line_elevations(section, line) : points_on_raster(section, line);
+    check_elevations(read);
     if (section.smoothing_m > 0)
-        origin += smoothing_text(section.smoothing_m, smooth_elevations(points, section.smoothing_m));
+        read.origin +=
+            smoothing_text(section.smoothing_m, smooth_elevations(read.points, section.smoothing_m));
     const ProfileOptions completed = with_attributes(options, line, section.line.file);
-    return make_profile({points, {}, origin, {}, std::move(line.map)}, completed);
+    read.map_line = std::move(line.map);
+    return make_profile(read, completed);
 }
 
 std::vector<SectionFeature> section_features(const LineQuery& query) {
