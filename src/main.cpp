@@ -33,8 +33,8 @@ constexpr const char* examples = R"(Examples:
   runout stress --scenes 200 --range slope_angle_deg=50:70
   runout help keys
 
-Exit codes: 0 settled or stable, 1 ended otherwise, 2 wrong input (nothing written), 3 internal error,
-130 interrupted.)";
+Exit codes: 0 settled or stable, 1 ended otherwise or some lines refused, 2 wrong input (nothing written),
+3 internal error, 130 interrupted.)";
 
 std::string version_text() {
     return fmt::format("runout {} (revision {}, {})", program_version(), program_revision(),

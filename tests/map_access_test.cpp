@@ -161,6 +161,15 @@ TEST_F(MapAccess, TheHttpClientOfGdalIsOff) {
     EXPECT_EQ(VSIFOpenL("/vsizip//vsicurl/http://127.0.0.1:9/z.zip/z.tif", "rb"), nullptr);
 }
 
+TEST_F(MapAccess, AFolderMayBeCalledAsItLikes) {
+    for (const char* name :
+         {"/home/u/vsites/z.tif", "vsi/z.tif", "maps/http:/z.tif", "/vsizip//tmp/z.zip/z.tif"})
+        EXPECT_FALSE(is_remote(name)) << name;
+    for (const char* name :
+         {"/vsizip/{/vsicurl/http://h/z.zip}/z.tif", "/vsigzip//vsioss/b/z.gz", "/vsiwebhdfs/h/z"})
+        EXPECT_TRUE(is_remote(name)) << name;
+}
+
 TEST_F(MapAccess, LocalArchivesAreFiles) {
     const std::string zip = path("z.zip");
     {

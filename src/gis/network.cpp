@@ -72,13 +72,19 @@ void close_network() {
 }
 
 bool is_remote(const std::string& path) {
-    for (std::size_t at = path.find("/vsi"); at != std::string::npos; at = path.find("/vsi", at + 1)) {
-        const std::string_view rest = std::string_view(path).substr(at);
-        if (std::ranges::none_of(local_systems,
-                                 [&](std::string_view prefix) { return rest.starts_with(prefix); }))
-            return true;
+    std::string_view rest = path;
+    for (bool goes_on = true; goes_on;) {
+        goes_on = false;
+        for (const std::string_view prefix : local_systems)
+            if (rest.starts_with(prefix)) {
+                rest.remove_prefix(prefix.size());
+                if (rest.starts_with('{')) rest.remove_prefix(1);  // an archive within one
+                goes_on = true;
+            }
     }
-    return path.find("://") != std::string::npos;
+    const std::size_t scheme = rest.find("://");
+    const bool is_address = scheme != std::string_view::npos && rest.find('/') > scheme;
+    return rest.starts_with("/vsi") || is_address;
 }
 
 }  // namespace runout

@@ -195,8 +195,9 @@ ResultMap result_map(const Store& store, const MapOptions& options) {
     const MapMetric metric(runs.crs, runs.runs.front().place.line.points.front());
     ResultMap map{{runs.crs, {}}, {}};
     if (runs.without_place > 0)
-        map.remarks.push_back(fmt::format("{} runs are not on the map: their sections came from CSV files",
-                                          runs.without_place));
+        map.remarks.push_back(
+            fmt::format("{} runs are not on the map: their sections came from tables that were not placed",
+                        runs.without_place));
     MapRuns sources{runs.crs, {}, 0};
     for (const MapRun& run : runs.runs)
         if (is_result(run.run.status)) sources.runs.push_back(run);
