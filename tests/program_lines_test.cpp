@@ -96,6 +96,19 @@ TEST_F(ProgramLines, WhenAllAreBadNothingIsWritten) {
     }
 }
 
+TEST_F(ProgramLines, LinesThatCannotBeDrawnAreRefusedAsWell) {
+    std::vector<std::string> features = {feature("A", 0)};
+    for (const char* geometry : {R"({"type":"LineString","coordinates":[]})",
+                                 R"({"type":"LineString","coordinates":[[834000,815900,1]]})", "null",
+                                 R"({"type":"MultiLineString","coordinates":[[[1,2],[3,4]],[[5,6],[7,8]]]})"})
+        features.push_back(fmt::format(R"({{"type":"Feature","properties":{{}},"geometry":{}}})", geometry));
+    write_layer("l.geojson", features);
+    EXPECT_EQ(runout(with_source({"run", "l.geojson", "--db", "l.db", "--quiet"})).exit_code, 1);
+    const Outcome map = runout({"map", "l.db", "-o", "m.gpkg"});
+    EXPECT_EQ(map.exit_code, 0) << map.err;
+    EXPECT_TRUE(contains(map.out, "refused                      4"));
+}
+
 TEST_F(ProgramLines, AMistakeOfTheCaseIsSaidOnce) {
     write_layer("l.geojson", {feature("A", 0), feature("B", 1)});
     expect_refused({"run", "l.geojson"}, {"material.friction_angle_deg: is missing"});

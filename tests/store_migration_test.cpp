@@ -54,7 +54,7 @@ std::set<std::string> format_of(SQLite::Database& database) {
 void take_back_to_version_three(SQLite::Database& database) {
     database.exec(
         "DROP TABLE refused_section; DROP TABLE study_scenario; DROP TABLE study; DROP VIEW result; DROP "
-        "VIEW ladder_rung; DROP TABLE "
+        "VIEW section_face; DROP VIEW ladder_rung; DROP TABLE "
         "pilot; DROP TABLE ladder_run;"
         " DROP TABLE ladder_verdict; DROP TABLE ladder;"
         "DROP TABLE invariant; DROP TABLE effect_setting; DROP TABLE run_effect; DROP TABLE advice; DROP "
@@ -65,7 +65,8 @@ void take_back_to_version_three(SQLite::Database& database) {
         "user_version = 3");
     for (const char* column :
          {"peak_memory_mb", "machine", "accuracy_asked", "run_out_error_m", "reach_angle_error_deg",
-          "error_origin", "error_note", "expected_cpu_s", "choosing_cpu_s"})
+          "error_origin", "error_note", "expected_cpu_s", "choosing_cpu_s", "toe_origin", "crest_origin",
+          "section_read_as", "section_doubts"})
         database.exec(std::string("ALTER TABLE run DROP COLUMN ") + column);
     database.exec("CREATE VIEW result AS SELECT run.name FROM run");
 }

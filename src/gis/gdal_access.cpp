@@ -28,7 +28,7 @@ constexpr double true_scale = 1e-3;
 void set_up_gdal() {
     CPLSetConfigOption("GDAL_VRT_ENABLE_PYTHON", "NO");
     CPLSetConfigOption("GPX_ELE_AS_25D", "YES");  // else a track has no elevations
-    CPLSetConfigOption("GML_PARSER", "EXPAT");  // which fetches no document type from elsewhere
+    CPLSetConfigOption("GML_PARSER", "EXPAT");    // which fetches no document type from elsewhere
     register_drivers();
     if (!network_is_allowed()) close_network();
 }
@@ -36,7 +36,7 @@ void set_up_gdal() {
 /// What GDAL is to open: never a text that one of its drivers takes for an address.
 std::string local_path(const std::string& path, const std::string& valid) {
     const InputPlace place{path, 0, "", ""};
-    if (network_is_allowed() && path.find("/vsi") == 0) return path;
+    if (is_remote(path) && network_is_allowed()) return path.starts_with("/vsi") ? path : "/vsicurl/" + path;
     if (is_remote(path))
         throw InputError(place, "is not a file on this machine",
                          "copy it here first, or give --allow-network");

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <limits>
+#include <optional>
 
 #include "gis/feature_line.h"
 #include "gis/gdal_access.h"
@@ -25,6 +26,7 @@ constexpr double nearest_m = 1e-7;
 /// At so many vertices of a line the scale of its system is looked at.
 constexpr std::size_t places_looked_at = 100;
 
+/// Vertices of a line of two or more, about `most` of them, the first and the last among them.
 Polyline places_of(const OGRLineString& line, std::size_t most) {
     Polyline places;
     const auto count = static_cast<std::size_t>(line.getNumPoints());
@@ -103,10 +105,10 @@ MapLine sketch_of(const OGRFeature& feature, OGRLayer& layer, const LineQuery& q
     MapLine sketch{"", {}, {}, attributes_of(feature)};
     try {
         const OGRLineString line = line_of(feature, query);
+        if (line.getNumPoints() < 2) return sketch;
         Polyline places = places_of(line, static_cast<std::size_t>(line.getNumPoints()));
         places.pop_back();  // the last stands twice
-        if (places.size() < 2 || !std::ranges::all_of(places, [](const Vec2& at) { return at.allFinite(); }))
-            return sketch;
+        if (!std::ranges::all_of(places, [](const Vec2& at) { return at.allFinite(); })) return sketch;
         sketch.crs = wkt_of(map_reference(reference_of(layer, query)));
         sketch.points = std::move(places);
         for (std::size_t i = 0; i < sketch.points.size(); ++i)
