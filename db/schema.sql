@@ -238,6 +238,17 @@ CREATE TABLE map_line_attribute (
     PRIMARY KEY (line_id, attribute_index)
 ) STRICT, WITHOUT ROWID;
 
+-- Lines of a layer that were asked for and refused as input, so that none is missing unsaid. One that is taken later is
+-- struck off.
+CREATE TABLE refused_section (
+    origin      TEXT NOT NULL,         -- file and layer
+    feature_id  INTEGER NOT NULL,
+    name        TEXT NOT NULL,
+    reason      TEXT NOT NULL,         -- one sentence
+    line_id     INTEGER NOT NULL REFERENCES map_line,  -- a line without points where nothing of it can be drawn
+    PRIMARY KEY (origin, feature_id)
+) STRICT, WITHOUT ROWID;
+
 -- Many scenarios that were asked for together. A run may belong to several studies: what links them is the scenario.
 CREATE TABLE study (
     study_id  INTEGER PRIMARY KEY,

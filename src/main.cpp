@@ -8,6 +8,7 @@
 
 #include "core/input_error.h"
 #include "core/version.h"
+#include "gis/network.h"
 #include "program/command.h"
 
 namespace {
@@ -33,8 +34,8 @@ constexpr const char* examples = R"(Examples:
   runout stress --scenes 200 --range slope_angle_deg=50:70
   runout help keys
 
-Exit codes: 0 settled or stable, 1 ended otherwise, 2 wrong input (nothing written), 3 internal error,
-130 interrupted.)";
+Exit codes: 0 settled or stable, 1 ended otherwise or some lines refused, 2 wrong input (nothing written),
+3 internal error, 130 interrupted.)";
 
 std::string version_text() {
     return fmt::format("runout {} (revision {}, {})", program_version(), program_revision(),
@@ -81,6 +82,10 @@ int run_program(int argc, char** argv) {
         "runout");
     app.set_version_flag("--version", version_text());
     app.require_subcommand(1);
+    app.fallthrough();  // options of the program may follow those of a subcommand
+    app.add_flag_callback(
+        "--allow-network", allow_network,
+        "Let maps and rasters lie on other machines, and virtual rasters refer to any file");
     app.footer(examples);
 
     Command command;

@@ -4,6 +4,7 @@
 
 #include "core/units.h"
 #include "scene/effect_settings.h"
+#include "scene/section_cases.h"
 #include "scene_fixture.h"
 
 namespace runout {
@@ -205,7 +206,7 @@ void expect_sound_case(const fs::path& file) {
     SCOPED_TRACE(file);
     std::vector<Scene> scenes;
     const std::string said = input_error([&] {
-        for (const CaseSpec& spec : section_cases(read_case(file.string())))
+        for (const auto& [spec, line] : section_cases(read_case(file.string())))
             scenes.push_back(make_scene(spec));
     });
     ASSERT_EQ(said, "");

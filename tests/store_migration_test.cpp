@@ -50,10 +50,11 @@ std::set<std::string> format_of(SQLite::Database& database) {
     return format;
 }
 
-/// The format as it is now without what versions 4 to 8 added.
+/// The format as it is now without what versions 4 to 9 added.
 void take_back_to_version_three(SQLite::Database& database) {
     database.exec(
-        "DROP TABLE study_scenario; DROP TABLE study; DROP VIEW result; DROP VIEW ladder_rung; DROP TABLE "
+        "DROP TABLE refused_section; DROP TABLE study_scenario; DROP TABLE study; DROP VIEW result; DROP "
+        "VIEW section_face; DROP VIEW ladder_rung; DROP TABLE "
         "pilot; DROP TABLE ladder_run;"
         " DROP TABLE ladder_verdict; DROP TABLE ladder;"
         "DROP TABLE invariant; DROP TABLE effect_setting; DROP TABLE run_effect; DROP TABLE advice; DROP "
@@ -64,7 +65,8 @@ void take_back_to_version_three(SQLite::Database& database) {
         "user_version = 3");
     for (const char* column :
          {"peak_memory_mb", "machine", "accuracy_asked", "run_out_error_m", "reach_angle_error_deg",
-          "error_origin", "error_note", "expected_cpu_s", "choosing_cpu_s"})
+          "error_origin", "error_note", "expected_cpu_s", "choosing_cpu_s", "toe_origin", "crest_origin",
+          "section_read_as", "section_doubts"})
         database.exec(std::string("ALTER TABLE run DROP COLUMN ") + column);
     database.exec("CREATE VIEW result AS SELECT run.name FROM run");
 }
@@ -97,7 +99,7 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     Store store(path, Store::Mode::write);
     SQLite::Database file = raw();
     EXPECT_EQ(format_of(file), wanted);
-    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 8);
+    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 9);
     EXPECT_EQ(store.run(id).appraisal.error_origin, "none");
     EXPECT_TRUE(std::isnan(store.run(id).appraisal.run_out_error_m));
     EXPECT_TRUE(store.ladders().empty());

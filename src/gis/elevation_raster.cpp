@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/elevation_limits.h"
 #include "gis/gdal_access.h"
+#include "gis/raster_cells.h"
 
 namespace runout {
 namespace {
@@ -23,6 +25,14 @@ Weights weights(Interpolation interpolation, double t) {
     return {t * (-0.5 + t * (1 - 0.5 * t)), 1 + t * t * (-2.5 + 1.5 * t), t * (0.5 + t * (2 - 1.5 * t)),
             t * t * (-0.5 + 0.5 * t)};
 }
+
+/// The cells around a place, from one before (column, row) to two after, and their shares.
+struct Footprint {
+    int column = 0;
+    int row = 0;
+    Weights across{};
+    Weights down{};
+};
 
 /// Metres in the unit that a band names; 0 when it names none that is known.
 double unit_of_label(const std::string& label) {
@@ -57,7 +67,6 @@ struct ElevationRaster::Impl {
     RasterOptions options;
     GDALDatasetUniquePtr data;
     GDALRasterBand* band = nullptr;
-    GDALRasterBand* mask = nullptr;
     OGRSpatialReference reference;
     double to_metres = 1;
     std::array<double, 6> to_map{};
@@ -69,7 +78,6 @@ struct ElevationRaster::Impl {
           data(open_dataset(file, GDAL_OF_RASTER, "give an elevation raster that GDAL can read")) {
         band = data->GetRasterCount() > 0 ? data->GetRasterBand(1) : nullptr;
         if (band == nullptr) refuse("has no band", "give a raster with elevations");
-        mask = band->GetMaskBand();
         if (data->GetGeoTransform(to_map.data()) != CE_None ||
             GDALInvGeoTransform(to_map.data(), to_cell.data()) == 0)
             refuse("is not placed on a map", "give a raster with a geotransform");
@@ -109,50 +117,54 @@ struct ElevationRaster::Impl {
                 to_cell[3] + to_cell[4] * map.x() + to_cell[5] * map.y()};
     }
 
-    /// Elevation in metres; what is wrong there as a sentence when there is none.
-    [[nodiscard]] double elevation(const Vec2& map, std::string& problem) const {
+    /// The cells about a place. Throws InputError when it lies outside.
+    [[nodiscard]] Footprint footprint(const Vec2& map, const InputPlace& place) const {
         const Vec2 cell = cell_of(map);
         const double columns = band->GetXSize();
         const double rows = band->GetYSize();
-        if (!(cell.x() >= 0 && cell.y() >= 0 && cell.x() <= columns && cell.y() <= rows)) {
-            problem = "lies outside the raster";
-            return 0;
-        }
+        if (!(cell.x() >= 0 && cell.y() >= 0 && cell.x() <= columns && cell.y() <= rows))
+            throw InputError(place, "lies outside the raster", "shorten the line or take a larger raster");
         const double x = std::clamp(cell.x() - 0.5, 0.0, columns - 1);
         const double y = std::clamp(cell.y() - 0.5, 0.0, rows - 1);
-        return interpolated(x, y, problem);
-    }
-
-    [[nodiscard]] double interpolated(double x, double y, std::string& problem) const {
         const int column = static_cast<int>(x);
         const int row = static_cast<int>(y);
-        const Weights across = weights(options.interpolation, x - column);
-        const Weights down = weights(options.interpolation, y - row);
-        // Beyond the edge the outermost cells go on.
-        const int left = std::max(column - 1, 0);
-        const int top = std::max(row - 1, 0);
-        const int width = std::min(column + 2, band->GetXSize() - 1) - left + 1;
-        const int height = std::min(row + 2, band->GetYSize() - 1) - top + 1;
-        std::array<double, 16> values{};
-        std::array<unsigned char, 16> valid{};
-        if (band->RasterIO(GF_Read, left, top, width, height, values.data(), width, height, GDT_Float64, 0, 0,
-                           nullptr) != CE_None ||
-            mask->RasterIO(GF_Read, left, top, width, height, valid.data(), width, height, GDT_Byte, 0, 0,
-                           nullptr) != CE_None) {
-            problem = "cannot be read from the raster" + gdal_reason();
-            return 0;
-        }
-        double sum = 0;
+        return {column, row, weights(options.interpolation, x - column),
+                weights(options.interpolation, y - row)};
+    }
+
+    /// Calls take(column, row, weight) for each cell that counts. Beyond the edge the outermost cells go on.
+    template <class Take>
+    void for_cells(const Footprint& footprint, const Take& take) const {
         for (int j = 0; j < 4; ++j)
             for (int i = 0; i < 4; ++i) {
-                const double weight = across[i] * down[j];
+                const double weight = footprint.across[i] * footprint.down[j];
                 if (weight == 0) continue;  // a cell that is not needed may hold no data
-                const int at = std::clamp(row - 1 + j - top, 0, height - 1) * width +
-                               std::clamp(column - 1 + i - left, 0, width - 1);
-                if (valid[at] == 0 || !std::isfinite(values[at])) problem = "meets a cell without data";
-                sum += weight * values[at];
+                take(std::clamp(footprint.column - 1 + i, 0, band->GetXSize() - 1),
+                     std::clamp(footprint.row - 1 + j, 0, band->GetYSize() - 1), weight);
             }
-        return to_metres * (band->GetOffset() + band->GetScale() * sum);
+    }
+
+    /// Elevation of a cell in metres. Throws InputError when it has none.
+    [[nodiscard]] double elevation(const RasterCells::Cell& cell, const InputPlace& place,
+                                   const std::string& reason) const {
+        using State = RasterCells::State;
+        if (cell.state == State::unreadable)
+            throw InputError(place, "cannot be read from the raster" + reason,
+                             "check that the file is whole (gdalinfo -checksum)");
+        if (cell.state == State::no_data)
+            throw InputError(place, "meets a cell without data",
+                             "fill the gap, for example with gdal_fillnodata.py, or move the line");
+        const double metres = to_metres * (band->GetOffset() + band->GetScale() * cell.value);
+        if (!is_elevation(metres))
+            throw InputError(
+                place,
+                fmt::format("meets a cell of {:.7g}, which is no elevation between {:g} and {:g} m",
+                            cell.value, lowest_ground_m, highest_ground_m),
+                fmt::format(
+                    "if it stands for no data, say so with gdal_edit.py -a_nodata {:.7g} and fill the "
+                    "gap or move the line; if it counts in another unit, mend the raster",
+                    cell.value));
+        return metres;
     }
 };
 
@@ -166,20 +178,25 @@ ElevationRaster::~ElevationRaster() = default;
 std::vector<double> ElevationRaster::elevations(const MapLine& line) const {
     const QuietGdal quiet;
     const Transformation to_raster = impl_->from_line(line);
-    std::vector<double> elevations;
-    elevations.reserve(line.points.size());
-    for (std::size_t i = 0; i < line.points.size(); ++i) {
-        std::string problem;
-        elevations.push_back(impl_->elevation(to_raster(line.points[i]), problem));
-        if (problem.empty()) continue;
+    const auto place = [&](std::size_t i) {
         const Vec2& at = line.points[i];
-        throw InputError(
-            {impl_->path, 0, "section line",
-             fmt::format("({:.10g}, {:.10g}) at chainage {:.6g} m", at.x(), at.y(), line.chainage_m[i])},
-            problem,
-            problem.ends_with("data") ? "fill the gap, for example with gdal_fillnodata.py, or move the line"
-                                      : "shorten the line or take a larger raster");
+        return InputPlace{
+            impl_->path, 0, "section line",
+            fmt::format("({:.10g}, {:.10g}) at chainage {:.6g} m", at.x(), at.y(), line.chainage_m[i])};
+    };
+    RasterCells cells(*impl_->data, *impl_->band, impl_->path);
+    std::vector<Footprint> footprints;
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        footprints.push_back(impl_->footprint(to_raster(line.points[i]), place(i)));
+        impl_->for_cells(footprints.back(), [&](int column, int row, double) { cells.ask_for(column, row); });
     }
+    std::string reason;
+    cells.read(reason);
+    std::vector<double> elevations(line.points.size(), 0.0);
+    for (std::size_t i = 0; i < elevations.size(); ++i)
+        impl_->for_cells(footprints[i], [&](int column, int row, double weight) {
+            elevations[i] += weight * impl_->elevation(cells.at(column, row), place(i), reason);
+        });
     return elevations;
 }
 
@@ -187,7 +204,7 @@ double ElevationRaster::cell_size_m(const MapLine& line) const {
     const QuietGdal quiet;
     const Vec2 middle = point_at(line, line.chainage_m.back() / 2);
     const Vec2 at = impl_->from_line(line)(middle);
-    const MetricFrame metric(impl_->reference, at);
+    const MetricFrame metric(impl_->reference, at, {at});
     const Vec2 across = metric(at + Vec2(impl_->to_map[1], impl_->to_map[4])) - metric(at);
     const Vec2 down = metric(at + Vec2(impl_->to_map[2], impl_->to_map[5])) - metric(at);
     return std::sqrt(std::abs(across.x() * down.y() - across.y() * down.x()));

@@ -40,7 +40,8 @@ class ElevationRaster {
 
     /// Elevation in metres at each point of a line in any coordinate system. Values belong to cell centres;
     /// within half a cell of the edge the outermost value holds. Throws InputError that names chainage and
-    /// place: a point outside the raster, a cell without data where its value is needed.
+    /// place: a point outside the raster; a cell without data, or with a value that is no elevation, where it
+    /// is needed; a raster stored in pieces too large to read.
     [[nodiscard]] std::vector<double> elevations(const MapLine& line) const;
 
     /// Side of a cell at the middle of the line: square root of its area, m. Throws InputError when the line

@@ -23,8 +23,9 @@ class QuietGdal {
     QuietGdal& operator=(const QuietGdal&) = delete;
 };
 
-/// Opens for reading. `kind` is GDAL_OF_RASTER or GDAL_OF_VECTOR. Throws InputError: no such file, or none of
-/// GDAL's drivers reads it.
+/// Opens a local file for reading. `kind` is GDAL_OF_RASTER or GDAL_OF_VECTOR. Throws InputError: no such
+/// file, none of the drivers that may (gis/drivers.h) reads it, or it refers to what it must not
+/// (gis/virtual_sources.h).
 GDALDatasetUniquePtr open_dataset(const std::string& path, unsigned kind, const std::string& valid);
 
 /// GDAL's last complaint in brackets, or nothing.
@@ -56,18 +57,24 @@ class Transformation {
     std::unique_ptr<OGRCoordinateTransformation> steps_;
 };
 
-/// A system in which lengths about `centre` (in `reference`) are true: the system itself unless it counts in
-/// degrees, else a transverse Mercator through the centre.
-OGRSpatialReference metric_reference(const OGRSpatialReference& reference, const Vec2& centre);
+/// A system in which lengths about `centre` (in `reference`) are true: the system itself where its scale
+/// factor is within 0.1 % of 1 in every direction at each of `places`, else a transverse Mercator through the
+/// centre. A system in degrees has no metres of its own.
+OGRSpatialReference metric_reference(const OGRSpatialReference& reference, const Vec2& centre,
+                                     const Polyline& places);
 
 /// Brings points to metric_reference(), in metres.
 struct MetricFrame {
-    MetricFrame(const OGRSpatialReference& reference, const Vec2& centre);
+    MetricFrame(const OGRSpatialReference& reference, const Vec2& centre, const Polyline& places);
 
     [[nodiscard]] Vec2 operator()(const Vec2& point) const { return unit_m * transformation(point); }
 
-    double unit_m;  ///< metres in a unit of the frame
+    double unit_m;       ///< metres in a unit of the frame
+    bool is_the_system;  ///< the frame is the system of the points itself
     Transformation transformation;
+
+  private:
+    MetricFrame(const OGRSpatialReference& reference, const OGRSpatialReference& metric);
 };
 
 }  // namespace runout

@@ -9,7 +9,8 @@ namespace runout {
 
 enum class GeometryKind { point, line, polygon };
 
-/// One thing on the map: a point, a chain of points, or a ring whose first point is not repeated.
+/// One thing on the map: a point, a chain of points, or a ring whose first point is not repeated. Without
+/// points it has attributes only.
 struct MapFeature {
     Polyline points;
     std::vector<Attribute> attributes;  ///< NaN and nothing are written as NULL

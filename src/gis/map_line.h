@@ -24,8 +24,8 @@ struct Attribute {
 struct MapLine {
     std::string crs;                 ///< coordinate system as WKT 2
     Polyline points;                 ///< two or more
-    std::vector<double> chainage_m;  ///< of each point, rising from 0; true metres also where `crs` counts in
-                                     ///< feet or degrees
+    std::vector<double> chainage_m;  ///< of each point, rising, from 0 on a line of a map; true metres also
+                                     ///< where `crs` counts in feet or degrees, or its scale factor is not 1
     std::vector<Attribute> attributes;  ///< of the feature, in the order of its layer
 };
 

@@ -25,7 +25,7 @@ struct MapMetric::Impl {
 
     Impl(const std::string& crs, const Vec2& centre)
         : reference(horizontal(crs)),
-          local(metric_reference(reference, centre)),
+          local(metric_reference(reference, centre, {centre})),
           unit_m(local.GetLinearUnits()),
           there(reference, local),
           back(local, reference) {}

@@ -5,157 +5,81 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <limits>
+#include <optional>
 
+#include "gis/feature_line.h"
 #include "gis/gdal_access.h"
+#include "gis/line_layer.h"
 
 namespace runout {
 namespace {
 
-/// Of a line in degrees. A straight piece of this length is within a micrometre of the geodesic.
+/// Of a line that is measured on the ellipsoid. A straight piece of this length is within a micrometre of the
+/// geodesic.
 constexpr double longest_piece_m = 10;
+constexpr double most_pieces = 1e6;
 
-/// Degrees have no more than three digits.
-constexpr double largest_degree = 360;
+/// Vertices nearer than this are one place.
+constexpr double nearest_m = 1e-7;
 
-std::string layer_names(GDALDataset& data) {
-    std::string names;
-    for (OGRLayer* layer : data.GetLayers())
-        names += (names.empty() ? "" : ", ") + std::string(layer->GetName());
-    return names;
-}
+/// At so many vertices of a line the scale of its system is looked at.
+constexpr std::size_t places_looked_at = 100;
 
-OGRLayer& layer_of(GDALDataset& data, const LineQuery& query) {
-    const int count = data.GetLayerCount();
-    if (count == 0) throw InputError({query.file, 0, "", ""}, "has no layer", "draw the sections as lines");
-    if (query.layer.empty()) {
-        if (count == 1) return *data.GetLayer(0);
-        throw InputError({query.file, 0, "section.layer", ""},
-                         fmt::format("is missing: there are {} layers", count),
-                         "name one of " + layer_names(data));
+/// Vertices of a line of two or more, about `most` of them, the first and the last among them.
+Polyline places_of(const OGRLineString& line, std::size_t most) {
+    Polyline places;
+    const auto count = static_cast<std::size_t>(line.getNumPoints());
+    const std::size_t step = std::max<std::size_t>(1, count / most);
+    for (std::size_t i = 0; i < count; i += step) {
+        const int k = static_cast<int>(i);
+        places.emplace_back(line.getX(k), line.getY(k));
     }
-    OGRLayer* layer = data.GetLayerByName(query.layer.c_str());
-    if (layer == nullptr)
-        throw InputError({query.file, 0, "section.layer", query.layer}, "is not a layer of this file",
-                         "name one of " + layer_names(data));
-    return *layer;
+    places.emplace_back(line.getX(line.getNumPoints() - 1), line.getY(line.getNumPoints() - 1));
+    return places;
 }
 
-/// Where a feature is at fault.
-InputPlace place_of(const LineQuery& query, const OGRFeature& feature, const std::string& value) {
-    return {query.file, 0, fmt::format("feature {}", feature.GetFID()), value};
+MetricFrame metric_frame(const OGRLineString& line, const OGRSpatialReference& reference) {
+    OGRPoint middle;
+    line.Value(line.get_Length() / 2, &middle);
+    return {reference, {middle.getX(), middle.getY()}, places_of(line, places_looked_at)};
 }
 
-std::string geometry_name(const OGRGeometry* geometry) {
-    return geometry != nullptr ? geometry->getGeometryName() : "no geometry";
-}
-
-/// The one line in a geometry.
-OGRLineString line_of(const OGRFeature& feature, const LineQuery& query) {
-    const OGRGeometry* geometry = feature.GetGeometryRef();
-    std::unique_ptr<OGRGeometry> straight;
-    if (geometry != nullptr && geometry->hasCurveGeometry() != 0) {
-        straight.reset(geometry->getLinearGeometry());
-        geometry = straight.get();
-    }
-    if (geometry != nullptr && wkbFlatten(geometry->getGeometryType()) == wkbMultiLineString) {
-        const OGRMultiLineString* lines = geometry->toMultiLineString();
-        if (lines->getNumGeometries() > 1)
-            throw InputError(place_of(query, feature, geometry_name(geometry)),
-                             fmt::format("has {} parts", lines->getNumGeometries()),
-                             "draw each section as one line, or split the parts into features");
-        geometry = lines->getNumGeometries() == 1 ? lines->getGeometryRef(0) : nullptr;
-    }
-    if (geometry == nullptr || wkbFlatten(geometry->getGeometryType()) != wkbLineString)
-        throw InputError(place_of(query, feature, geometry_name(geometry)), "is not a line",
-                         "draw the section as one LineString");
-    return *geometry->toLineString();
-}
-
-void check_shape(const OGRLineString& line, const LineQuery& query, const OGRFeature& feature) {
-    const InputPlace place = place_of(query, feature, "LINESTRING");
-    for (const OGRPoint& point : line)
-        if (!std::isfinite(point.getX()) || !std::isfinite(point.getY()))
-            throw InputError(place, "has a coordinate that is not finite", "draw it anew");
-    if (line.getNumPoints() < 2 || !(line.get_Length() > 0))
-        throw InputError(place, "has no length", "give it two points or more");
-    if (line.get_IsClosed() != 0 || line.IsSimple() == 0)
-        throw InputError(place, "closes or crosses itself",
-                         "a section runs from one end to the other without meeting itself");
-}
-
-OGRSpatialReference reference_of(const OGRLayer& layer, const LineQuery& query) {
-    if (!query.crs.empty()) return reference_from(query.crs, "section.line_crs");
-    const OGRSpatialReference* own = const_cast<OGRLayer&>(layer).GetSpatialRef();
-    if (own != nullptr) return *own;
-    throw InputError({query.file, 0, "", ""}, "names no coordinate system",
-                     "give section.line_crs, such as EPSG:2326");
-}
-
-/// GeoJSON counts as degrees unless it says otherwise, and map-grid coordinates are often put into it.
-void check_degrees(const OGRSpatialReference& reference, const OGRLineString& line, const LineQuery& query,
-                   const OGRFeature& feature) {
-    if (reference.IsGeographic() == 0) return;
-    OGREnvelope box;
-    line.getEnvelope(&box);
-    if (std::max({std::abs(box.MinX), std::abs(box.MaxX), std::abs(box.MinY), std::abs(box.MaxY)}) <=
-        largest_degree)
+/// Draws the line to its next vertex. A chainage that is not finite says that it cannot be.
+void draw_to(const Vec2& to, const MetricFrame& metric, MapLine& map) {
+    if (map.points.empty()) {
+        map.points.push_back(to);
+        map.chainage_m.push_back(0);
         return;
-    throw InputError(
-        place_of(query, feature, fmt::format("({:.10g}, {:.10g})", line.getX(0), line.getY(0))),
-        fmt::format("is not in degrees, as its coordinate system ({}) has it", reference.GetName()),
-        "give section.line_crs, such as EPSG:2326");
-}
-
-FieldValue field_value(const OGRFeature& feature, int i) {
-    if (feature.IsFieldSetAndNotNull(i) == 0) return {};
-    switch (feature.GetFieldDefnRef(i)->GetType()) {
-        case OFTInteger:
-        case OFTInteger64:
-            return static_cast<long>(feature.GetFieldAsInteger64(i));
-        case OFTReal:
-            return feature.GetFieldAsDouble(i);
-        default:
-            return std::string(feature.GetFieldAsString(i));
+    }
+    const Vec2 from = map.points.back();
+    const double length = (metric(to) - metric(from)).norm();
+    if (length < nearest_m) return;
+    const double pieces = metric.is_the_system ? 1 : std::max(1.0, std::ceil(length / longest_piece_m));
+    if (pieces > most_pieces) {
+        map.chainage_m.back() = std::numeric_limits<double>::infinity();
+        return;
+    }
+    for (double k = 1; k <= pieces; ++k) {
+        const Vec2 at = k == pieces ? to : Vec2(from + k / pieces * (to - from));
+        map.chainage_m.push_back(map.chainage_m.back() + (metric(at) - metric(map.points.back())).norm());
+        map.points.push_back(at);
     }
 }
 
-std::vector<Attribute> attributes_of(const OGRFeature& feature) {
-    std::vector<Attribute> attributes;
-    for (int i = 0; i < feature.GetFieldCount(); ++i)
-        attributes.push_back({feature.GetFieldDefnRef(i)->GetNameRef(), field_value(feature, i)});
-    return attributes;
-}
-
-/// Points and chainages; a point that repeats the one before it is dropped.
-void lay_out(const OGRLineString& line, const MetricFrame& metric, double longest_piece,
+void lay_out(const OGRLineString& line, const MetricFrame& metric, const std::vector<double>& elevations,
              SectionLine& section) {
-    MapLine& map = section.map;
     for (int i = 0; i < line.getNumPoints(); ++i) {
         const Vec2 to(line.getX(i), line.getY(i));
-        if (map.points.empty()) {
-            map.points.push_back(to);
-            map.chainage_m.push_back(0);
-            section.elevations.push_back(line.getZ(i));
-            continue;
-        }
-        const Vec2 from = map.points.back();
-        if (to == from) continue;
-        const double z = section.elevations.back();
-        const int pieces =
-            std::max(1, static_cast<int>(std::ceil((metric(to) - metric(from)).norm() / longest_piece)));
-        for (int k = 1; k <= pieces; ++k) {
-            const double share = static_cast<double>(k) / pieces;
-            const Vec2 at = k == pieces ? to : Vec2(from + share * (to - from));
-            map.chainage_m.push_back(map.chainage_m.back() + (metric(at) - metric(map.points.back())).norm());
-            map.points.push_back(at);
-            section.elevations.push_back(z + share * (line.getZ(i) - z));
-        }
+        draw_to(to, metric, section.map);
+        if (!elevations.empty())
+            section.vertices.push_back(
+                {to, section.map.chainage_m.back(), elevations[static_cast<std::size_t>(i)]});
     }
-    if (line.Is3D() == 0) section.elevations.clear();
 }
 
-SectionLine section_line(const OGRFeature& feature, OGRLayer& layer, const LineQuery& query) {
+SectionLine section_line(const OGRFeature& feature, OGRLayer& layer, const LineQuery& query,
+                         const std::string& driver) {
     const OGRLineString line = line_of(feature, query);
     check_shape(line, query, feature);
     const OGRSpatialReference whole = reference_of(layer, query);
@@ -165,17 +89,47 @@ SectionLine section_line(const OGRFeature& feature, OGRLayer& layer, const LineQ
     section.layer = layer.GetName();
     section.feature_id = static_cast<long>(feature.GetFID());
     section.elevation_unit_m = vertical_unit_m(whole);
+    section.height_datum = height_datum(feature, driver);
     section.map.crs = wkt_of(reference);
     section.map.attributes = attributes_of(feature);
-    OGRPoint middle;
-    line.Value(line.get_Length() / 2, &middle);
-    const MetricFrame metric(reference, {middle.getX(), middle.getY()});
-    const bool degrees = reference.IsGeographic() != 0;
-    lay_out(line, metric, degrees ? longest_piece_m : std::numeric_limits<double>::infinity(), section);
-    if (!std::isfinite(section.map.chainage_m.back()))
+    lay_out(line, metric_frame(line, reference), elevations_of(line, feature), section);
+    if (!std::isfinite(section.map.chainage_m.back()) || section.map.points.size() < 2)
         throw InputError(place_of(query, feature, "LINESTRING"),
-                         "lies where its coordinate system does not hold", "check the coordinates");
+                         "lies where its coordinate system does not hold, or is thousands of kilometres long",
+                         "check the coordinates");
     return section;
+}
+
+/// What of a feature can be drawn that is no section.
+MapLine sketch_of(const OGRFeature& feature, OGRLayer& layer, const LineQuery& query) {
+    MapLine sketch{"", {}, {}, attributes_of(feature)};
+    try {
+        const OGRLineString line = line_of(feature, query);
+        if (line.getNumPoints() < 2) return sketch;
+        Polyline places = places_of(line, static_cast<std::size_t>(line.getNumPoints()));
+        places.pop_back();  // the last stands twice
+        if (!std::ranges::all_of(places, [](const Vec2& at) { return at.allFinite(); })) return sketch;
+        sketch.crs = wkt_of(map_reference(reference_of(layer, query)));
+        sketch.points = std::move(places);
+        for (std::size_t i = 0; i < sketch.points.size(); ++i)
+            sketch.chainage_m.push_back(
+                i == 0 ? 0.0 : sketch.chainage_m.back() + (sketch.points[i] - sketch.points[i - 1]).norm());
+    } catch (const InputError&) {
+        // then there is nothing to draw
+    }
+    return sketch;
+}
+
+LineFeature line_feature(const OGRFeature& feature, OGRLayer& layer, const LineQuery& query,
+                         const std::string& driver) {
+    LineFeature listed{query.file, layer.GetName(), static_cast<long>(feature.GetFID()), {}, {}};
+    try {
+        listed.drawn = section_line(feature, layer, query, driver).map;
+    } catch (const InputError& refusal) {
+        listed.refusal = refusal;
+        listed.drawn = sketch_of(feature, layer, query);
+    }
+    return listed;
 }
 
 [[noreturn]] void refuse_condition(const LineQuery& query) {
@@ -198,25 +152,58 @@ SectionLine section_line(const OGRFeature& feature, OGRLayer& layer, const LineQ
                      "draw the section as one line");
 }
 
-}  // namespace
+GDALDatasetUniquePtr open_lines(const LineQuery& query) {
+    return open_dataset(query.file, GDAL_OF_VECTOR,
+                        "give a file with section lines, such as a GeoPackage or a shapefile");
+}
 
-std::vector<SectionLine> read_section_lines(const LineQuery& query) {
-    const QuietGdal quiet;
-    const auto data =
-        open_dataset(query.file, GDAL_OF_VECTOR, "give a vector file that GDAL can read, with section lines");
-    OGRLayer& layer = layer_of(*data, query);
+/// Calls take(feature) for each feature that is asked for. Throws InputError when there is none.
+template <class Take>
+void for_features(OGRLayer& layer, const LineQuery& query, const Take& take) {
     CPLErrorReset();
+    if (query.feature_id) {
+        const OGRFeatureUniquePtr feature(layer.GetFeature(*query.feature_id));
+        if (!feature) refuse_empty(layer, query, true);
+        take(*feature);
+        return;
+    }
     if (!query.where.empty() && layer.SetAttributeFilter(query.where.c_str()) != OGRERR_NONE)
         refuse_condition(query);
-    std::vector<SectionLine> lines;
     bool any = false;
     for (const auto& feature : layer) {
         any = true;
-        if (query.feature_id && feature->GetFID() != *query.feature_id) continue;
-        lines.push_back(section_line(*feature, layer, query));
+        take(*feature);
     }
-    if (lines.empty()) refuse_empty(layer, query, any);
-    return lines;
+    if (!any) refuse_empty(layer, query, false);
+}
+
+}  // namespace
+
+std::vector<LineFeature> list_section_lines(const LineQuery& query) {
+    const QuietGdal quiet;
+    const auto data = open_lines(query);
+    const std::string driver = data->GetDriverName();
+    OGRLayer& layer = layer_of(*data, query);
+    std::vector<LineFeature> features;
+    for_features(layer, query, [&](const OGRFeature& feature) {
+        features.push_back(line_feature(feature, layer, query, driver));
+    });
+    return features;
+}
+
+SectionLine read_section_line(const LineQuery& query) {
+    const QuietGdal quiet;
+    const auto data = open_lines(query);
+    const std::string driver = data->GetDriverName();
+    OGRLayer& layer = layer_of(*data, query);
+    std::optional<SectionLine> line;
+    int count = 0;
+    for_features(layer, query, [&](const OGRFeature& feature) {
+        if (++count == 1) line = section_line(feature, layer, query, driver);
+    });
+    if (count == 1) return std::move(*line);
+    throw InputError({query.file, 0, "section.line", ""}, fmt::format("has {} lines", count),
+                     "choose one with section.feature_id or section.where");
 }
 
 }  // namespace runout

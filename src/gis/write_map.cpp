@@ -110,7 +110,8 @@ void write_features(OGRLayer& target, const MapLayer& layer, const Transformatio
         const OGRFeatureUniquePtr feature(OGRFeature::CreateFeature(target.GetLayerDefn()));
         if (told_apart) feature->SetField("layer", layer.name.c_str());
         for (const Attribute& attribute : mine.attributes) set_field(*feature, attribute);
-        feature->SetGeometryDirectly(geometry_of(layer.kind, mine.points, transformation).release());
+        if (!mine.points.empty())
+            feature->SetGeometryDirectly(geometry_of(layer.kind, mine.points, transformation).release());
         if (target.CreateFeature(feature.get()) != OGRERR_NONE) fail(path);
     }
 }

@@ -29,7 +29,7 @@ InputPlace place_of(const SectionPoints& section, std::size_t i) {
 void check_elevations(const SectionPoints& section) {
     for (std::size_t i = 0; i < section.points.size(); ++i) {
         const double elevation = section.points[i].y();
-        if (!(elevation >= lowest_ground_m && elevation <= highest_ground_m))
+        if (!is_elevation(elevation))
             throw InputError(place_of(section, i),
                              fmt::format("is not the elevation of any ground ({:g} to {:g} m)",
                                          lowest_ground_m, highest_ground_m),

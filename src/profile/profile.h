@@ -36,7 +36,7 @@ struct Profile {
     bool toe_given = false;  ///< by the user; else found
     bool crest_given = false;
     std::vector<std::string> doubts;  ///< what to know of how toe and crest were chosen, a sentence each
-    std::optional<MapLine> map_line;  ///< where the section lies; none for a CSV, which does not say
+    std::optional<MapLine> map_line;  ///< where the section lies; none where nothing says so
 
     /// Local point -> (chainage, elevation) of the file.
     [[nodiscard]] Vec2 to_section(const Vec2& local) const;
@@ -71,22 +71,24 @@ struct MapSection {
     double sampling_m = 0;    ///< distance between samples of the raster; 0: half a cell
     double smoothing_m = 0;   ///< width of the window of smooth_elevations; 0: none
     RasterOptions options{};  ///< of the raster; the unit of elevation holds for a line too
+    bool zero_is_ground =
+        false;  ///< a lone elevation of 0 on a three-dimensional line is right, and not a filler
 };
 
 /// Profile along the line, chainage in metres from its first point. A raster is sampled evenly from end to
-/// end; a three-dimensional line gives its vertices. Attributes named toe_chainage_m and crest_chainage_m
-/// stand for options that are not given. What smoothing changed is told in `origin`. Throws InputError:
-/// whatever read_section_lines, ElevationRaster and make_profile refuse, several lines, a line without
-/// elevations.
+/// end; a three-dimensional line gives its vertices. Attributes stand for options that are not given
+/// (profile/line_attributes.h). What smoothing changed is told in `origin`. Throws InputError: whatever
+/// read_section_line, ElevationRaster, line_elevations, with_attributes and make_profile refuse.
 Profile read_map_section(const MapSection& section, const ProfileOptions& options);
 
-/// One of the lines that a query asks for.
+/// One of the features that a query asks for.
 struct SectionFeature {
-    long feature_id = 0;
-    std::string label;  ///< attribute name, label, section, slope_no, slope or id; else the feature id
+    LineFeature feature;  ///< may be refused
+    std::string label;    ///< attribute name, label, section, slope_no, slope or id; else the feature id
+    bool named = false;   ///< by an attribute
 };
 
-/// Throws InputError as read_section_lines.
+/// Throws InputError as list_section_lines.
 std::vector<SectionFeature> section_features(const LineQuery& query);
 
 /// What smoothing did to a section.

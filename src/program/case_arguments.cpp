@@ -17,7 +17,7 @@ struct ShortOption {
     const char* key;
 };
 
-constexpr std::array<ShortOption, 31> short_options = {{
+constexpr std::array<ShortOption, 35> short_options = {{
     {"--source", "source.type"},
     {"--base-angle", "source.base_angle_deg"},
     {"--scarp-angle", "source.scarp_angle_deg"},
@@ -39,6 +39,10 @@ constexpr std::array<ShortOption, 31> short_options = {{
     {"--surface", "section.surface"},
     {"--raster", "section.raster"},
     {"--where", "section.where"},
+    {"--origin", "section.origin"},
+    {"--bearing", "section.bearing_deg"},
+    {"--towards", "section.towards"},
+    {"--crs", "section.crs"},
     {"--toe-chainage", "section.toe_chainage_m"},
     {"--crest-chainage", "section.crest_chainage_m"},
     {"--name", "run.name"},
@@ -100,8 +104,7 @@ void add_case_arguments(CLI::App& subcommand, CaseArguments& arguments) {
     subcommand
         .add_option("FILE", arguments.file,
                     "A case (.toml), a bare cross-section (.csv, .txt, .dxf, LandXML ...), or lines on a map "
-                    "(.gpkg, .shp, "
-                    ".geojson ...)")
+                    "(.gpkg, .shp, .geojson, .kmz ...)")
         ->required()
         ->type_name("");
     for (const ShortOption& entry : short_options) add_short_option(subcommand, arguments, entry);

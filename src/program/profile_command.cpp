@@ -10,6 +10,8 @@
 #include "core/units.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
+#include "program/output_file.h"
+#include "program/refused_sections.h"
 #include "report/section_view.h"
 #include "report/svg_chart.h"
 
@@ -23,6 +25,7 @@ constexpr int drawing_columns = 78;
 struct ProfileArguments {
     CaseArguments scenario;
     std::string svg;
+    std::string refused;
 };
 
 /// A section with its source. Where the case says nothing of a source, and the usual one does not fit, the
@@ -93,16 +96,23 @@ void write_svg(const std::string& path, const ShownSection& section) {
 }
 
 int show_profile(const ProfileArguments& arguments) {
+    if (!arguments.refused.empty()) check_output_place(arguments.refused, "--refused");
+    const std::vector<SectionCase> cases = section_cases(case_from(arguments.scenario));
+    SectionTally tally(cases);
     std::vector<ShownSection> sections;
-    for (const CaseSpec& spec : section_cases(case_from(arguments.scenario)))
-        sections.push_back(section_of(spec));
-    const bool many = sections.size() > 1;
+    for (const SectionCase& each : cases)
+        if (auto section = tally.make(each, section_of)) sections.push_back(std::move(*section));
+    tally.require_any();
+    write_refused(arguments.refused, tally.sections().refused);
+    const bool many = tally.many();
     if (!arguments.svg.empty())
         for (const ShownSection& section : sections)
             write_svg(svg_path(arguments.svg, section.name, many), section);
     if (many) {
         fmt::print("{}", overview(sections));
-        return exit_code::success;
+        if (!tally.any_refused()) return exit_code::success;
+        fmt::print("{}\n", tally.summary());
+        return exit_code::not_a_result;
     }
     const ShownSection& section = sections.front();
     log_reading(section.profile);
@@ -121,6 +131,7 @@ void add_profile_command(CLI::App& app, Command& command) {
     sub->add_option("--svg", arguments->svg, "Draw it into a file as well")
         ->type_name("PATH")
         ->group("Output");
+    add_refused_option(*sub, arguments->refused);
     sub->callback([arguments, &command] { command = [arguments] { return show_profile(*arguments); }; });
 }
 

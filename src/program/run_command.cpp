@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -12,7 +13,9 @@
 #include "program/case_arguments.h"
 #include "program/command.h"
 #include "program/interrupt.h"
+#include "program/output_file.h"
 #include "program/progress_line.h"
+#include "program/refused_sections.h"
 #include "report/ladder_text.h"
 #include "report/table.h"
 #include "report/time_table.h"
@@ -25,6 +28,7 @@ namespace {
 struct RunArguments {
     CaseArguments scenario;
     std::string database = "runout.db";
+    std::string refused;
     int frames = 60;
     bool store = true;
     bool json = false;
@@ -62,7 +66,7 @@ void log_ending(const RunResult& result) {
 
 /// A section that is to be run, as its case asks for it.
 struct Section {
-    CaseSpec spec;
+    SectionCase asked;
     Scene scene;
 };
 
@@ -73,7 +77,8 @@ bool says_how_fine(const CaseSpec& spec) {
 /// What is to be run: the spacing that the case gives, or one that meets its accuracy.
 RunPlan plan_of(const Section& section, const std::optional<Store>& store, const RunArguments& arguments,
                 const InterruptWatch& interrupt) {
-    const auto& [spec, scene] = section;
+    const CaseSpec& spec = section.asked.spec;
+    const Scene& scene = section.scene;
     PlanOptions options;
     if (!says_how_fine(spec)) options.target = accuracy_target(spec.accuracy, spec.place("run.accuracy"));
     if (spec.has("run.accuracy")) options.asked = spec.place("run.accuracy");
@@ -94,20 +99,10 @@ void log_plan(const RunPlan& plan) {
         spdlog::info("expected to take {} of CPU time", short_duration(plan.appraisal.expected_cpu_s));
 }
 
-/// Every section of the case; a mistake in one is found before any has run.
-std::vector<Section> sections_of(const CaseArguments& arguments) {
-    std::vector<Section> sections;
-    for (const CaseSpec& spec : section_cases(case_from(arguments)))
-        sections.push_back({spec, make_scene(spec)});
-    return sections;
-}
-
-/// Chooses, simulates, stores and prints one section, and returns its exit code.
-int run_section(const Section& section, const RunArguments& arguments, std::optional<Store>& store,
+/// Simulates, stores and prints one section, and returns its exit code.
+int run_section(const RunPlan& plan, const RunArguments& arguments, std::optional<Store>& store,
                 const InterruptWatch& interrupt) {
-    log_reading(section.scene.profile);
-    log_assumptions(section.scene.assumed);
-    const RunPlan plan = plan_of(section, store, arguments, interrupt);
+    log_reading(plan.scene.profile);
     log_plan(plan);
     const Scene& scene = plan.scene;
     const RunResult result = simulate(scene, arguments, interrupt);
@@ -127,24 +122,62 @@ int run_section(const Section& section, const RunArguments& arguments, std::opti
     return exit_code_of(result);
 }
 
+/// The plan of a section; none where it is one of many and its accuracy cannot be had.
+std::optional<RunPlan> plan_or_refuse(const Section& section, SectionTally& tally,
+                                      const std::function<RunPlan()>& plan) {
+    log_assumptions(section.scene.assumed);
+    try {
+        return plan();
+    } catch (const InputError& error) {
+        if (!tally.many()) throw;
+        tally.refuse(section.asked, error);
+        tell_refused(tally.sections().refused.back());
+        return std::nullopt;
+    }
+}
+
 /// All of them, one after the other.
-int run_sections(const std::vector<Section>& sections, const RunArguments& arguments,
+int run_sections(const std::vector<Section>& sections, SectionTally& tally, const RunArguments& arguments,
                  std::optional<Store>& store, const InterruptWatch& interrupt) {
-    if (sections.size() == 1) return run_section(sections.front(), arguments, store, interrupt);
     int failed = 0;
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        spdlog::info("section {} of {}: {}", i + 1, sections.size(), sections[i].scene.name);
-        const int code = run_section(sections[i], arguments, store, interrupt);
+        if (tally.many())
+            spdlog::info("section {} of {}: {}", i + 1, sections.size(), sections[i].scene.name);
+        const std::optional<RunPlan> plan = plan_or_refuse(
+            sections[i], tally, [&] { return plan_of(sections[i], store, arguments, interrupt); });
+        if (!plan) continue;
+        const int code = run_section(*plan, arguments, store, interrupt);
         if (code == exit_code::interrupted) return code;
         if (code != exit_code::success) ++failed;
     }
-    if (failed > 0) spdlog::warn("{} of {} sections gave no result", failed, sections.size());
+    if (failed > 0 && tally.many()) spdlog::warn("{} of {} sections gave no result", failed, sections.size());
     return failed > 0 ? exit_code::not_a_result : exit_code::success;
+}
+
+/// Says what became of many sections, and keeps the refused.
+int end_of_many(int code, const SectionTally& tally, const RunArguments& arguments,
+                std::optional<Store>& store) {
+    if (!tally.many()) return code;
+    if (store) store->set_sections(tally.sections());
+    write_refused(arguments.refused, tally.sections().refused);
+    if (!tally.any_refused()) return code;
+    if (arguments.json)
+        spdlog::error("{}", tally.summary());
+    else
+        fmt::print("{}\n", tally.summary());
+    return code == exit_code::success ? exit_code::not_a_result : code;
 }
 
 int run(const RunArguments& arguments) {
     if (arguments.quiet) spdlog::set_level(spdlog::level::err);
-    const std::vector<Section> sections = sections_of(arguments.scenario);
+    if (!arguments.refused.empty()) check_output_place(arguments.refused, "--refused");
+    const std::vector<SectionCase> cases = section_cases(case_from(arguments.scenario));
+    SectionTally tally(cases);
+    std::vector<Section> sections;
+    for (const SectionCase& each : cases)
+        if (std::optional<Scene> scene = tally.make(each, make_scene))
+            sections.push_back({each, std::move(*scene)});
+    tally.require_any();
 
     // A database that cannot take the runs is found out now and not after an hour of work.
     std::optional<Store> store;
@@ -154,7 +187,9 @@ int run(const RunArguments& arguments) {
 
     const InterruptWatch interrupt;
     try {
-        return run_sections(sections, arguments, store, interrupt);
+        const int code = run_sections(sections, tally, arguments, store, interrupt);
+        if (tally.many() && tally.sections().taken.empty()) tally.require_any();
+        return end_of_many(code, tally, arguments, store);
     } catch (const InputError&) {  // a target that cannot be met leaves nothing behind
         const bool empty = store && store->runs().empty();
         store.reset();
@@ -192,6 +227,7 @@ void add_run_command(CLI::App& app, Command& command) {
         ->check(CLI::Range(0, 10000))
         ->capture_default_str()
         ->group("Output");
+    add_refused_option(*sub, arguments->refused);
     sub->add_flag("--json", arguments->json,
                   "Print the answer as one JSON object, one after the other for many sections")
         ->group("Output");

@@ -4,8 +4,10 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "accuracy/cost_model.h"
 #include "accuracy/plan.h"
@@ -14,7 +16,9 @@
 #include "program/command.h"
 #include "program/interrupt.h"
 #include "program/jobs_option.h"
+#include "program/output_file.h"
 #include "program/progress_line.h"
+#include "program/refused_sections.h"
 #include "program/slurm_job.h"
 #include "scene/scene.h"
 #include "store/store.h"
@@ -34,6 +38,7 @@ struct SweepArguments {
     std::string study;
     std::string database = "sweep.db";
     std::string shard;
+    std::string refused;
     int jobs = default_jobs();
     bool dry_run = false;
     bool slurm = false;
@@ -131,6 +136,48 @@ int tell_price(const SweepArguments& arguments, const Study& study, const Scenar
     return exit_code::success;
 }
 
+/// The lines of a layer in a sweep: one counts as refused when all of its scenarios are.
+class SweptSections {
+  public:
+    void take(const Scenario& scenario, const std::string& refusal) {
+        if (!scenario.line) return;
+        const long id = scenario.line->feature.feature_id;
+        RefusedSection row = refused_section(*scenario.line, refusal);
+        if (refusal.empty()) {
+            good_.insert({row.origin, id});
+            return;
+        }
+        if (told_.insert({id, refusal}).second) tell_refused(row);
+        refused_.emplace(std::pair(row.origin, id), std::move(row));
+    }
+
+    /// A row for each line that has no scenario but refused ones.
+    [[nodiscard]] std::vector<RefusedSection> refused() const {
+        std::vector<RefusedSection> rows;
+        for (const auto& [key, row] : refused_)
+            if (!good_.contains(key)) rows.push_back(row);
+        return rows;
+    }
+
+    void store_in(Store& store) const {
+        std::map<std::string, SectionsTaken> by_origin;
+        for (const auto& [origin, id] : good_) by_origin[origin].taken.push_back(id);
+        for (RefusedSection& row : refused()) by_origin[row.origin].refused.push_back(std::move(row));
+        for (auto& [origin, sections] : by_origin) {
+            sections.origin = origin;
+            store.set_sections(sections);
+        }
+    }
+
+    [[nodiscard]] std::size_t good() const { return good_.size(); }
+
+  private:
+    using Key = std::pair<std::string, long>;  // origin and feature
+    std::set<Key> good_;
+    std::map<Key, RefusedSection> refused_;
+    std::set<std::pair<long, std::string>> told_;
+};
+
 /// Tells how far a sweep is, and writes what has become of its scenarios into the database.
 class SweepLog {
   public:
@@ -140,6 +187,7 @@ class SweepLog {
     void take(const QueueEvent& event) {
         rows_.push_back({static_cast<long>(event.job), event.scenario_hash,
                          settings_json(settings_of(event.job)), event.refusal});
+        sections_.take(scenarios_[event.job], event.refusal);
         ++done_;
         if (event.simulated) ++simulated_;
         if (!event.refusal.empty()) ++refused_;
@@ -160,6 +208,7 @@ class SweepLog {
     }
     [[nodiscard]] bool complete() const { return done_ == total_; }
     [[nodiscard]] bool has_failures() const { return failed_ + refused_ > 0; }
+    [[nodiscard]] const SweptSections& sections() const { return sections_; }
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -167,8 +216,8 @@ class SweepLog {
     /// A line of a layer is part of what was varied.
     [[nodiscard]] std::vector<Setting> settings_of(std::size_t job) const {
         std::vector<Setting> settings = scenarios_[job].settings;
-        if (const auto feature = scenarios_[job].feature_id)
-            settings.emplace_back("section.feature_id", fmt::format("{}", *feature));
+        if (const auto& line = scenarios_[job].line)
+            settings.emplace_back("section.feature_id", fmt::format("{}", line->feature.feature_id));
         return settings;
     }
 
@@ -187,6 +236,7 @@ class SweepLog {
     std::size_t total_;
     bool quiet_;
     std::vector<StudyScenario> rows_;
+    SweptSections sections_;
     std::size_t done_ = 0, simulated_ = 0, refused_ = 0, failed_ = 0;
     Clock::time_point begin_ = Clock::now(), next_line_ = Clock::now() + std::chrono::seconds(5);
 };
@@ -212,7 +262,12 @@ int run_sweep(const SweepArguments& arguments, const Study& study, const Scenari
     queue.on_event = [&](const QueueEvent& event) { log.take(event); };
     run_queue(queue, store);
     log.flush();
+    log.sections().store_in(store);
     fmt::print("{}\n", log.summary());
+    const std::vector<RefusedSection> refused = log.sections().refused();
+    write_refused(arguments.refused, refused);
+    if (!refused.empty())
+        fmt::print("sections: {}\n", good_and_refused(log.sections().good(), refused.size()));
     if (!log.complete()) {
         spdlog::warn("stopped; what has ended is in {}, and the same command goes on", arguments.database);
         return exit_code::interrupted;
@@ -222,6 +277,7 @@ int run_sweep(const SweepArguments& arguments, const Study& study, const Scenari
 
 int sweep(const SweepArguments& arguments) {
     if (arguments.quiet) spdlog::set_level(spdlog::level::err);
+    if (!arguments.refused.empty()) check_output_place(arguments.refused, "--refused");
     const Shard shard = shard_of(arguments.shard);
     const Study study = read_study(arguments.study);
     check_size(study, arguments.yes || arguments.dry_run);
@@ -256,6 +312,7 @@ void add_sweep_command(CLI::App& app, Command& command) {
     sub->add_flag("--slurm", arguments->slurm,
                   "Print a Slurm job array in as many parts as --shard 0/n says; give it to sbatch");
     sub->add_flag("--series", arguments->series, "Store the series of each run too, as `runout run` does");
+    add_refused_option(*sub, arguments->refused);
     sub->add_flag("--yes", arguments->yes, "Run more than 100,000 combinations");
     sub->add_flag("--quiet", arguments->quiet, "No progress, no log but errors");
     sub->callback([arguments, &command] { command = [arguments] { return sweep(*arguments); }; });

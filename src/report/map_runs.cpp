@@ -69,7 +69,7 @@ MapRuns map_runs(const Store& store, bool every_run) {
     }
     if (found.runs.empty())
         throw InputError({"", 0, "map", ""}, "finds no run that lies on a map",
-                         "take sections from lines (section.line), not from CSV files");
+                         "take sections from lines (section.line), or place them with section.origin");
     if (!every_run) found.runs = one_for_each_question(std::move(found.runs));
     return found;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/input_error.h"
 #include "report/map_styles.h"
 
 namespace runout {
@@ -38,6 +39,16 @@ std::vector<ColourClass> thickness_classes() {
             {2, 5, "2 to 5 m", {189, 0, 38}},           {5, 1000, "more than 5 m", {84, 0, 30}}};
 }
 
+/// The points of a line in the system of the map; none where it has none there.
+Polyline drawn_in(const MapLine& line, const std::string& crs) {
+    if (line.points.empty()) return {};
+    try {
+        return in_system(line, crs).points;
+    } catch (const InputError&) {
+        return {};
+    }
+}
+
 }  // namespace
 
 MapLayer section_layer(const MapRuns& runs) {
@@ -54,7 +65,8 @@ MapLayer section_layer(const MapRuns& runs) {
         if (!drawn.insert(key).second) continue;
         feature.attributes.push_back({"section_origin", run.run.section_origin});
         feature.attributes.push_back({"slope_angle_deg", run.run.slope_angle_deg});
-        feature.attributes.push_back({"length_m", run.place.line.chainage_m.back()});
+        feature.attributes.push_back(
+            {"length_m", run.place.line.chainage_m.back() - run.place.line.chainage_m.front()});
         layer.features.push_back(std::move(feature));
     }
     return layer;
@@ -162,13 +174,30 @@ MapLayer failed_layer(const MapRuns& runs) {
     return layer;
 }
 
+MapLayer refused_layer(const std::vector<RefusedSection>& sections, const std::string& crs) {
+    MapLayer layer{
+        "refused", "Lines that were refused as sections", GeometryKind::line, {}, line_style(red, 0.9)};
+    for (const RefusedSection& section : sections) {
+        MapFeature feature{drawn_in(section.line, crs), {}};
+        for (const Attribute& attribute : section.line.attributes)
+            feature.attributes.push_back({"section_" + attribute.name, attribute.value});
+        feature.attributes.push_back({"name", section.name});
+        feature.attributes.push_back({"feature_id", section.feature_id});
+        feature.attributes.push_back({"section_origin", section.origin});
+        feature.attributes.push_back({"reason", section.reason});
+        layer.features.push_back(std::move(feature));
+    }
+    return layer;
+}
+
 ResultMap result_map(const Store& store, const MapOptions& options) {
     const MapRuns runs = map_runs(store, options.every_run);
     const MapMetric metric(runs.crs, runs.runs.front().place.line.points.front());
     ResultMap map{{runs.crs, {}}, {}};
     if (runs.without_place > 0)
-        map.remarks.push_back(fmt::format("{} runs are not on the map: their sections came from CSV files",
-                                          runs.without_place));
+        map.remarks.push_back(
+            fmt::format("{} runs are not on the map: their sections came from tables that were not placed",
+                        runs.without_place));
     MapRuns sources{runs.crs, {}, 0};
     for (const MapRun& run : runs.runs)
         if (is_result(run.run.status)) sources.runs.push_back(run);
@@ -182,6 +211,7 @@ ResultMap result_map(const Store& store, const MapOptions& options) {
     for (MapLayer& layer : probability_layers(runs, metric, map.remarks))
         map.sheet.layers.push_back(std::move(layer));
     map.sheet.layers.push_back(failed_layer(runs));
+    map.sheet.layers.push_back(refused_layer(store.refused_sections(), runs.crs));
     return map;
 }
 

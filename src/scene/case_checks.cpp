@@ -19,10 +19,13 @@ struct Rivals {
 };
 
 /// Two ways to say the same thing.
-constexpr std::array<Rivals, 9> rivals = {{
+constexpr std::array<Rivals, 12> rivals = {{
     {"section.file", "section.raster"},
     {"section.file", "section.line"},
     {"section.feature_id", "section.where"},
+    {"section.origin", "section.line"},
+    {"section.bearing_deg", "section.towards"},
+    {"section.zero_elevation", "section.raster"},
     {"run.particle_spacing_m", "run.resolution"},
     {"effects.pore_pressure.ratio", "effects.pore_pressure.ratio_points"},
     {"effects.shaking.record", "effects.shaking.horizontal_coefficient"},
@@ -36,7 +39,7 @@ struct Companions {
     std::string_view needs;
 };
 
-constexpr std::array<Companions, 34> companions = {{
+constexpr std::array<Companions, 40> companions = {{
     {"section.columns", "section.file"},
     {"section.decimal", "section.file"},
     {"section.raster", "section.line"},
@@ -48,6 +51,12 @@ constexpr std::array<Companions, 34> companions = {{
     {"section.where", "section.line"},
     {"section.line_crs", "section.line"},
     {"section.elevation_unit", "section.line"},
+    {"section.zero_elevation", "section.line"},
+    {"section.origin", "section.crs"},
+    {"section.crs", "section.origin"},
+    {"section.bearing_deg", "section.origin"},
+    {"section.towards", "section.origin"},
+    {"section.origin_chainage_m", "section.origin"},
     {"section.smoothing_m", "section.line"},
     {"effects.release.layers", "effects.release.layer_width_m"},
     {"effects.release.layers", "effects.release.layer_height_m"},
@@ -95,6 +104,12 @@ void check_companions(const CaseSpec& spec) {
                          "give the cross-section as a table, or section.raster and section.line");
 }
 
+void check_placing(const CaseSpec& spec) {
+    if (spec.has("section.origin") && !spec.has("section.bearing_deg") && !spec.has("section.towards"))
+        throw InputError(spec.place("section.origin"), "does not say which way the section goes",
+                         "give section.bearing_deg, or another place on it as section.towards");
+}
+
 std::string type_names(const std::vector<SourceType>& types) {
     std::string names;
     for (const SourceType type : types) names += (names.empty() ? "" : ", ") + to_string(type);
@@ -123,6 +138,7 @@ void check_friction_keys(const CaseSpec& spec) {
 void check_keys_go_together(const CaseSpec& spec) {
     check_rivals(spec);
     check_companions(spec);
+    check_placing(spec);
     check_source_keys(spec);
     check_friction_keys(spec);
     accuracy_target(spec.accuracy, spec.place("run.accuracy"));

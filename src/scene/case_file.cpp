@@ -68,6 +68,12 @@ std::optional<Vec2> point_from(const toml::node& node) {
     return Vec2(*x, *y);
 }
 
+Vec2 place_from(const toml::node& node, const Parameter& parameter, const InputPlace& place) {
+    const std::optional<Vec2> point = point_from(node);
+    if (!point) throw InputError(place, "is not a pair of numbers", "valid: " + valid_values(parameter));
+    return *point;
+}
+
 Polyline points_from(const toml::node& node, const Parameter& parameter, const InputPlace& place) {
     const toml::array* list = node.as_array();
     if (list == nullptr) throw InputError(place, "is not a list", "valid: " + valid_values(parameter));
@@ -117,12 +123,14 @@ NumberRows rows_from(const toml::node& node, const Parameter& parameter, const I
 /// A value of a kind that is written in brackets.
 Value list_from(const toml::node& node, const Parameter& parameter, const InputPlace& place) {
     if (parameter.kind == ValueKind::rows) return rows_from(node, parameter, place);
+    if (parameter.kind == ValueKind::place) return place_from(node, parameter, place);
     if (parameter.kind == ValueKind::points) return points_from(node, parameter, place);
     return numbers_from(node, parameter, place);
 }
 
 Value value_from(const toml::node& node, const Parameter& parameter, const InputPlace& place) {
     switch (parameter.kind) {
+        case ValueKind::place:
         case ValueKind::points:
         case ValueKind::numbers:
         case ValueKind::rows:
@@ -156,13 +164,16 @@ Value value_from(const std::string& text, const Parameter& parameter, const Inpu
         case ValueKind::text:
         case ValueKind::choice:
             return text;
+        case ValueKind::place:
         case ValueKind::points:
         case ValueKind::numbers:
         case ValueKind::rows:
             break;
     }
+    // On a command line the brackets around one place say nothing.
+    const bool bare = parameter.kind == ValueKind::place && !text.starts_with('[');
     try {
-        const toml::table parsed = toml::parse("list = " + text);
+        const toml::table parsed = toml::parse(bare ? "list = [" + text + "]" : "list = " + text);
         return list_from(*parsed.get("list"), parameter, place);
     } catch (const toml::parse_error&) {
         throw InputError(place, "is not a list", "valid: " + valid_values(parameter));
@@ -285,13 +296,14 @@ void forget_how_fine_the_file_said(CaseSpec& spec, std::string_view except) {
     }
 }
 
-/// Which key a file stands for that is no case; empty if none.
-std::string section_key(const std::string& extension) {
-    constexpr std::array maps = {".gpkg", ".shp", ".geojson", ".fgb", ".gml", ".kml"};
+/// Which key a file stands for that is no case; empty if none. What has the ending of a table, a drawing or LandXML is
+/// one, and never taken for a map; a drawing in DXF is a map only as section.line.
+std::string section_key(const std::string& path) {
     constexpr std::array sections = {".csv", ".txt", ".tsv", ".dat", ".prn",
                                      ".xyz", ".pts", ".dxf", ".xml", ".landxml"};
-    if (std::ranges::find(sections, extension) != sections.end()) return "section.file";
-    return std::ranges::find(maps, extension) != maps.end() ? "section.line" : "";
+    if (std::ranges::find(sections, lower_extension(path)) != sections.end()) return "section.file";
+    const std::string driver = line_driver(path);
+    return driver.empty() || driver == "DXF" ? "" : "section.line";
 }
 
 }  // namespace
@@ -299,18 +311,17 @@ std::string section_key(const std::string& extension) {
 CaseSpec read_case(const std::string& path) {
     CaseSpec spec;
     spec.file = path;
-    const std::string extension = lower_extension(path);
-    if (extension == ".toml") {
+    if (lower_extension(path) == ".toml") {
         read_toml(spec);
-    } else if (const std::string key = section_key(extension); !key.empty()) {
+    } else if (const std::string key = section_key(path); !key.empty()) {
         const InputPlace place{.file = path, .line = 0, .key = key, .value = {}};
         assign(spec, known_parameter(place), path, place);
     } else {
         read_text(path);  // a missing file is the likelier mistake, and says so
         throw InputError(
             whole_file(path), "is neither a case nor a section",
-            "give a .toml file, a table as .csv, .txt, .tsv, .dat, .prn, .xyz or .pts, a drawing as "
-            ".dxf, LandXML as .xml, or lines as .gpkg, .shp, .geojson, .fgb, .gml or .kml");
+            "give a .toml file, a table as .csv, .txt, .tsv, .dat, .prn, .xyz or .pts, a drawing as .dxf, LandXML as .xml, "
+            "or lines as GeoPackage, shapefile, GeoJSON, KML, GPX and the like (docs/maps.md)");
     }
     if (!spec.has("run.name")) spec.name = name_from(path);
     return spec;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/input_error.h"
+#include "gis/placed_line.h"
 #include "profile/profile.h"
 #include "profile/section_file.h"
 #include "scene/scene.h"
@@ -14,12 +15,13 @@
 
 namespace runout {
 
-/// Where the ground comes from: a file of its own, or a line on a map.
+/// Where the ground comes from: a file of its own, which may be placed on a map, or a line on a map.
 struct SectionSpec {
     std::string file;
     SectionFileOptions format;  ///< of the file
     MapSection map;
     ProfileOptions options;
+    LinePlacing placing{};  ///< of a table; its origin is NaN where it lies on no map
 };
 
 /// What the user said, key by key, in SI and radians. Each value is within its own range; whether the values

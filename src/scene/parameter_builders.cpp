@@ -46,6 +46,18 @@ Parameter word(std::string_view key, Words choices, std::string_view fallback, s
             [set](CaseSpec& spec, const Value& value) { set(spec, std::get<std::string>(value)); }};
 }
 
+Parameter place(std::string_view key, std::string_view fallback, std::string_view help, SetPlace set) {
+    return {key,
+            ValueKind::place,
+            "",
+            any_number,
+            {},
+            fallback,
+            help,
+            {},
+            [set](CaseSpec& spec, const Value& value) { set(spec, std::get<Vec2>(value)); }};
+}
+
 Parameter points(std::string_view key, std::string_view fallback, std::string_view help, SetPoints set) {
     return {
         key, ValueKind::points, "m", {}, {}, fallback, help, {}, [set](CaseSpec& spec, const Value& value) {

@@ -29,6 +29,7 @@ using SetNumber = void (*)(CaseSpec&, double);
 using SetInteger = void (*)(CaseSpec&, int);
 using SetText = void (*)(CaseSpec&, const std::string&);
 using SetNumbers = void (*)(CaseSpec&, const std::vector<double>&);
+using SetPlace = void (*)(CaseSpec&, const Vec2&);
 using SetPoints = void (*)(CaseSpec&, const Polyline&);
 using SetRows = void (*)(CaseSpec&, const NumberRows&);
 
@@ -40,6 +41,8 @@ Parameter integer(std::string_view key, Range range, std::string_view fallback, 
 /// A word of `choices`, or any text where there are none.
 Parameter word(std::string_view key, Words choices, std::string_view fallback, std::string_view help,
                SetText set);
+/// A place on a map, two numbers.
+Parameter place(std::string_view key, std::string_view fallback, std::string_view help, SetPlace set);
 Parameter points(std::string_view key, std::string_view fallback, std::string_view help, SetPoints set);
 Parameter numbers(std::string_view key, std::string_view unit, Range range, std::string_view fallback,
                   std::string_view help, SetNumbers set);

@@ -92,6 +92,23 @@ std::vector<Parameter> line_parameters() {
     };
 }
 
+std::vector<Parameter> placing_parameters() {
+    return {
+        place("section.origin", "not on a map", "Where section.file lies on the map.",
+              [](CaseSpec& spec, const Vec2& at) { spec.section.placing.origin = at; }),
+        number("section.origin_chainage_m", "m", any_number, "0", "Chainage at section.origin.",
+               [](CaseSpec& spec, double metres) { spec.section.placing.origin_chainage_m = metres; }),
+        number("section.bearing_deg", "deg", between(-360, 360), "from section.towards",
+               "Grid bearing of the section, clockwise from grid north, towards increasing chainage.",
+               [](CaseSpec& spec, double angle) { spec.section.placing.bearing = radians(angle); }),
+        place("section.towards", "from section.bearing_deg",
+              "Another place on the section, towards increasing chainage, instead of a bearing.",
+              [](CaseSpec& spec, const Vec2& at) { spec.section.placing.towards = at; }),
+        word("section.crs", {}, "none", "Coordinate system of section.origin, such as EPSG:2326.",
+             [](CaseSpec& spec, const std::string& name) { spec.section.placing.crs = name; }),
+    };
+}
+
 std::vector<Parameter> raster_parameters() {
     return {
         word("section.raster", {}, "the elevations of the line itself",
@@ -112,6 +129,12 @@ std::vector<Parameter> raster_parameters() {
         word("section.elevation_unit", {"m", "ft", "us-ft"}, "m, unless the file says otherwise",
              "Unit of the elevations of a raster or of three-dimensional lines.",
              [](CaseSpec& spec, const std::string& unit) { spec.section.map.options.elevation_unit = unit; }),
+        word("section.zero_elevation", {"refused", "ground"}, "refused",
+             "What an elevation of 0 on a three-dimensional line is that stands alone among others far from "
+             "it.",
+             [](CaseSpec& spec, const std::string& what) {
+                 spec.section.map.zero_is_ground = what == "ground";
+             }),
         number("section.smoothing_m", "m", positive, "no smoothing",
                "Width of the window in which elevations on a map are smoothed by local regression.",
                [](CaseSpec& spec, double metres) { spec.section.map.smoothing_m = metres; }),
@@ -258,7 +281,7 @@ std::vector<Parameter> numerical_run_parameters() {
 std::vector<Parameter> whole_table() {
     std::vector<Parameter> table;
     for (const auto& part :
-         {section_parameters(), section_format_parameters(), line_parameters(), raster_parameters(),
+         {section_parameters(), section_format_parameters(), line_parameters(), raster_parameters(), placing_parameters(),
           source_shape_parameters(), source_place_parameters(), material_parameters(), effect_parameters(),
           physical_run_parameters(), numerical_run_parameters()})
         table.insert(table.end(), part.begin(), part.end());

@@ -111,6 +111,7 @@ const Parameter& known_parameter(const InputPlace& place) {
 void assign(CaseSpec& spec, const Parameter& parameter, const Value& value, const InputPlace& place) {
     if (const double* number = std::get_if<double>(&value)) check_number(parameter, *number, place);
     if (const std::string* word = std::get_if<std::string>(&value)) check_word(parameter, *word, place);
+    if (const Vec2* at = std::get_if<Vec2>(&value)) check_points({*at}, place);
     if (const Polyline* points = std::get_if<Polyline>(&value)) check_points(*points, place);
     if (const auto* list = std::get_if<std::vector<double>>(&value)) check_numbers(parameter, *list, place);
     if (const auto* table = std::get_if<NumberRows>(&value)) check_rows(parameter, *table, place);
@@ -126,6 +127,8 @@ std::string valid_values(const Parameter& parameter) {
             return fmt::format("one of {}", fmt::join(parameter.choices, ", "));
         case ValueKind::text:
             return "a text";
+        case ValueKind::place:
+            return "[easting, northing] or [longitude, latitude]";
         case ValueKind::points:
             return "a list of [chainage, elevation] pairs in metres";
         case ValueKind::numbers:

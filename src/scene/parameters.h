@@ -13,7 +13,7 @@
 
 namespace runout {
 
-enum class ValueKind { number, integer, text, choice, points, numbers, rows };
+enum class ValueKind { number, integer, text, choice, place, points, numbers, rows };
 
 /// Rows of numbers, all of one length.
 using NumberRows = std::vector<std::vector<double>>;
@@ -28,8 +28,8 @@ struct Range {
     [[nodiscard]] bool contains(double value) const;
 };
 
-/// A value as read, in the units of the file (degrees, metres).
-using Value = std::variant<double, std::string, Polyline, std::vector<double>, NumberRows>;
+/// A value as read, in the units of the file (degrees, metres). A place on a map is a Vec2.
+using Value = std::variant<double, std::string, Vec2, Polyline, std::vector<double>, NumberRows>;
 
 /// One key of a case file: all that reading, checking and explaining it takes.
 struct Parameter {

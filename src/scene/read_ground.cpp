@@ -26,6 +26,14 @@ void check_keys_of_format(const CaseSpec& spec, std::string_view format, const K
                                  fmt::format("leave it out; it belongs to {}", other.name));
 }
 
+/// Puts a section that comes without a map where the case says it lies.
+void place_on_map(const SectionSpec& section, Profile& profile) {
+    if (!section.placing.origin.allFinite()) return;
+    const auto [from, to] = std::minmax(
+        {profile.to_section(profile.ground.front()).x(), profile.to_section(profile.ground.back()).x()});
+    profile.map_line = placed_line(section.placing, from, to);
+}
+
 SectionContent read_local_section(const CaseSpec& spec) {
     constexpr std::string_view format = "a section in a local system";
     check_keys_of_format(spec, format, {"section.unit", "section.dxf_layers"});
@@ -79,7 +87,9 @@ Ground read_ground(const CaseSpec& spec) {
         return {read_map_section(section.map, section.options), {}};
     }
     SectionContent content = section.file.empty() ? read_local_section(spec) : read_own_file(spec);
-    return {make_profile(content.section, section.options), std::move(content.mass)};
+    Ground ground{make_profile(content.section, section.options), std::move(content.mass)};
+    place_on_map(section, ground.profile);
+    return ground;
 }
 
 SourceSpec with_drawn_mass(const CaseSpec& spec, const DrawnMass& mass, std::vector<std::string>& assumed) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -114,20 +115,6 @@ RunSettings run_settings(const CaseSpec& spec, std::vector<std::string>& assumed
 }
 
 }  // namespace
-
-std::vector<CaseSpec> section_cases(const CaseSpec& spec) {
-    check_keys_go_together(spec);
-    if (!is_on_map(spec.section)) return {spec};
-    const std::vector<SectionFeature> features = section_features(spec.section.map.line);
-    if (features.size() == 1) return {spec};
-    std::vector<CaseSpec> cases;
-    for (const SectionFeature& feature : features) {
-        CaseSpec& single = cases.emplace_back(spec);
-        single.section.map.line.feature_id = feature.feature_id;
-        single.name = fmt::format("{}-{}", spec.name, feature.label);
-    }
-    return cases;
-}
 
 Profile make_ground(const CaseSpec& spec) {
     check_keys_go_together(spec);

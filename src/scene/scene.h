@@ -61,10 +61,6 @@ struct Site {
 
 struct CaseSpec;
 
-/// One case for each section: a layer with many lines, of which none is chosen, is as many sections, each
-/// named after its feature. Any other case is returned as it is. Throws InputError as section_features.
-std::vector<CaseSpec> section_cases(const CaseSpec& spec);
-
 /// Reads the ground. Throws InputError.
 Profile make_ground(const CaseSpec& spec);
 

@@ -157,6 +157,13 @@ void merge_studies(Database& database, const std::string& from) {
         " JOIN main.study AS ours ON ours.name = theirs.name");
 }
 
+void merge_refused_sections(Database& database) {
+    const Names columns = columns_of(database, "refused_section");
+    database.exec(fmt::format(
+        "INSERT OR REPLACE INTO main.refused_section ({}) SELECT {} FROM shard.refused_section",
+        fmt::join(columns, ", "), fmt::join(selected("refused_section", columns, {"line_id"}), ", ")));
+}
+
 long count(Database& database, const std::string& what) {
     return database.execAndGet("SELECT count(*) FROM " + what).getInt64();
 }
@@ -176,6 +183,7 @@ MergeCounts merge_attached(Database& database, const std::string& from) {
     refuse_conflicts(database, from);
     add_runs(database);
     merge_studies(database, from);
+    merge_refused_sections(database);
     const MergeCounts counts{
         count(database, "temp.run_id_map"), count(database, "temp.candidate WHERE known IS NOT NULL"),
         count(database, "shard.run WHERE status = 'interrupted'"), count(database, "shard.study")};

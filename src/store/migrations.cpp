@@ -306,6 +306,14 @@ JOIN section USING (section_id)
 JOIN section_face USING (section_id)
 JOIN measure USING (run_id)
 WHERE run_status.is_result = 1;
+CREATE TABLE refused_section (
+    origin TEXT NOT NULL,
+    feature_id INTEGER NOT NULL,
+    name TEXT NOT NULL,
+    reason TEXT NOT NULL,
+    line_id INTEGER NOT NULL REFERENCES map_line,
+    PRIMARY KEY (origin, feature_id)
+) STRICT, WITHOUT ROWID;
 )"},
     };
     return steps;

@@ -90,20 +90,14 @@ FieldValue value_of(const SQLite::Column& column) {
     return column.getString();
 }
 
-MapLine select_line(Database& database, long run_id, long line_id) {
-    MapLine line;
-    Statement crs(database, "SELECT crs FROM map_line WHERE line_id = ?");
-    crs.bind(1, line_id);
-    if (crs.executeStep()) line.crs = crs.getColumn(0).getString();
-    Statement points(database,
-                     "SELECT chainage_m, x, y FROM map_line_point WHERE line_id = ? ORDER BY point_index");
-    points.bind(1, line_id);
-    while (points.executeStep()) {
-        line.chainage_m.push_back(points.getColumn(0).getDouble());
-        line.points.emplace_back(points.getColumn(1).getDouble(), points.getColumn(2).getDouble());
-    }
-    line.attributes = select_attributes(database, run_id);
-    return line;
+std::vector<Attribute> attributes_of(Database& database, long line_id) {
+    Statement statement(
+        database, "SELECT name, value FROM map_line_attribute WHERE line_id = ? ORDER BY attribute_index");
+    statement.bind(1, line_id);
+    std::vector<Attribute> attributes;
+    while (statement.executeStep())
+        attributes.push_back({statement.getColumn(0).getString(), value_of(statement.getColumn(1))});
+    return attributes;
 }
 
 /// Rows of (x, y) in the local frame, brought to the section.
@@ -134,25 +128,38 @@ std::vector<std::string> scenario_columns(Database& database, bool numerical) {
 
 }  // namespace
 
-void set_map_line(Database& database, long run_id, const MapLine& line) {
+long map_line_row(Database& database, const MapLine& line) {
     const std::string hash = map_line_hash(line);
     const std::optional<long> known = line_with(database, hash);
-    const long line_id = known ? *known : insert_line(database, line, hash);
+    return known ? *known : insert_line(database, line, hash);
+}
+
+MapLine select_map_line(Database& database, long line_id) {
+    MapLine line;
+    Statement crs(database, "SELECT crs FROM map_line WHERE line_id = ?");
+    crs.bind(1, line_id);
+    if (crs.executeStep()) line.crs = crs.getColumn(0).getString();
+    Statement points(database,
+                     "SELECT chainage_m, x, y FROM map_line_point WHERE line_id = ? ORDER BY point_index");
+    points.bind(1, line_id);
+    while (points.executeStep()) {
+        line.chainage_m.push_back(points.getColumn(0).getDouble());
+        line.points.emplace_back(points.getColumn(1).getDouble(), points.getColumn(2).getDouble());
+    }
+    line.attributes = attributes_of(database, line_id);
+    return line;
+}
+
+void set_map_line(Database& database, long run_id, const MapLine& line) {
+    const long line_id = map_line_row(database, line);
     Statement statement(database, "UPDATE run SET line_id = ? WHERE run_id = ?");
     SQLite::bind(statement, line_id, run_id);
     statement.exec();
 }
 
 std::vector<Attribute> select_attributes(Database& database, long run_id) {
-    Statement statement(database,
-                        "SELECT map_line_attribute.name, value FROM map_line_attribute JOIN run USING "
-                        "(line_id) WHERE run_id = ?"
-                        " ORDER BY attribute_index");
-    statement.bind(1, run_id);
-    std::vector<Attribute> attributes;
-    while (statement.executeStep())
-        attributes.push_back({statement.getColumn(0).getString(), value_of(statement.getColumn(1))});
-    return attributes;
+    const std::optional<long> line_id = line_of_run(database, run_id);
+    return line_id ? attributes_of(database, *line_id) : std::vector<Attribute>{};
 }
 
 std::optional<RunPlace> select_place(Database& database, long run_id) {
@@ -184,7 +191,7 @@ std::optional<RunPlace> select_place(Database& database, long run_id) {
     place.source_outline = part("outline");
     place.head = points("head_x_m, head_y_m", "WHERE run_id = ?").at(0);
     place.exit_point = points("exit_x_m, exit_y_m", "WHERE run_id = ?").at(0);
-    place.line = select_line(database, run_id, *line_id);
+    place.line = select_map_line(database, *line_id);
     return place;
 }
 

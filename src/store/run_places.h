@@ -11,7 +11,11 @@ class Database;
 
 namespace runout {
 
-/// Gives a run its line on the map; lines that are already there are shared. Call it within a transaction.
+/// The id of a line on the map; one that is already there is shared. Call it within a transaction.
+long map_line_row(SQLite::Database& database, const MapLine& line);
+MapLine select_map_line(SQLite::Database& database, long line_id);
+
+/// Gives a run its line on the map; Call it within a transaction.
 void set_map_line(SQLite::Database& database, long run_id, const MapLine& line);
 
 /// What the map says of the run's section; empty where it lies on none.

@@ -108,6 +108,18 @@ void Store::set_study_scenarios(long study_id, const std::vector<StudyScenario>&
     });
 }
 
+void Store::set_sections(const SectionsTaken& sections) {
+    impl_->with_database([&](SQLite::Database& database) {
+        SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+        runout::set_sections(database, sections);
+        transaction.commit();
+    });
+}
+
+std::vector<RefusedSection> Store::refused_sections() const {
+    return impl_->with_database([](SQLite::Database& database) { return select_refused_sections(database); });
+}
+
 std::vector<StoredStudy> Store::studies() const {
     return impl_->with_database([](SQLite::Database& database) { return select_studies(database); });
 }

@@ -12,6 +12,7 @@
 #include "scene/scene.h"
 #include "store/chart_rows.h"
 #include "store/merge.h"
+#include "store/refused_rows.h"
 #include "store/study_rows.h"
 
 namespace runout {
@@ -228,6 +229,10 @@ class Store {
     [[nodiscard]] std::vector<PilotRow> pilots(long run_id) const;
     /// All studies in the order they were stored.
     [[nodiscard]] std::vector<StoredLadder> ladders() const;
+    /// Notes which of the sections of a layer that were asked for were refused, and why.
+    void set_sections(const SectionsTaken& sections);
+    /// What was refused and not taken since.
+    [[nodiscard]] std::vector<RefusedSection> refused_sections() const;
     /// The latest study of this question.
     [[nodiscard]] std::optional<StoredLadder> find_ladder(const std::string& question_hash) const;
     /// None when the section came from a CSV, which does not say where it lies.

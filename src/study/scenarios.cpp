@@ -159,10 +159,12 @@ std::vector<Settings> combinations(const Study& study) {
 ScenarioList::ScenarioList(const Study& study) : base_(base_of(study)), file_(study.file) {
     for (Settings& settings : combinations(study)) {
         const CaseSpec spec = with_settings(base_, settings, file_);
-        const std::vector<CaseSpec> sections = section_cases(spec);
-        for (const CaseSpec& section : sections) {
-            const bool many = sections.size() > 1;
-            scenarios_.push_back({settings, many ? section.section.map.line.feature_id : std::nullopt});
+        std::vector<SectionCase> sections = section_cases(spec);
+        const bool many = sections.size() > 1;
+        for (SectionCase& section : sections) {
+            std::shared_ptr<const SectionFeature> line;
+            if (many) line = std::make_shared<const SectionFeature>(std::move(*section.line));
+            scenarios_.push_back({settings, section.spec.name, std::move(line)});
         }
     }
 }
@@ -170,11 +172,11 @@ ScenarioList::ScenarioList(const Study& study) : base_(base_of(study)), file_(st
 CaseSpec ScenarioList::case_of(std::size_t index) const {
     const Scenario& scenario = scenarios_.at(index);
     CaseSpec spec = with_settings(base_, scenario.settings, file_);
-    if (!scenario.feature_id) return spec;
-    for (CaseSpec& section : section_cases(spec))
-        if (section.section.map.line.feature_id == scenario.feature_id) return section;
-    throw InputError(spec.place("section.line"), "has changed since the study began",
-                     "start the study again");
+    spec.name = scenario.name;
+    if (!scenario.line) return spec;
+    if (scenario.line->feature.refusal) throw InputError(*scenario.line->feature.refusal);
+    spec.section.map.line.feature_id = scenario.line->feature.feature_id;
+    return spec;
 }
 
 std::string settings_json(const std::vector<Setting>& settings) {

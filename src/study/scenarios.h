@@ -1,11 +1,12 @@
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "scene/case_spec.h"
+#include "scene/section_cases.h"
 #include "study/study_file.h"
 
 namespace runout {
@@ -15,12 +16,14 @@ using Setting = std::pair<std::string, std::string>;
 
 /// One question of a study.
 struct Scenario {
-    std::vector<Setting> settings;   ///< what the study varies
-    std::optional<long> feature_id;  ///< the section, where the case has a layer of many
+    std::vector<Setting> settings;                 ///< what the study varies
+    std::string name;                              ///< of the run
+    std::shared_ptr<const SectionFeature> line{};  ///< the section, where the case has a layer of many
 };
 
 /// All scenarios of a study in an order that depends on nothing but the study. Where the case's section is a
-/// layer of many lines, each is a section of its own.
+/// layer of many lines, each is a section of its own; what is refused as a section is a scenario that is
+/// refused.
 class ScenarioList {
   public:
     /// Throws InputError: a case that cannot be read, a key that is not known, a value out of its range, a

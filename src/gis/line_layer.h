@@ -1,0 +1,15 @@
+#pragma once
+
+#include <ogrsf_frmts.h>
+
+#include "gis/section_line.h"
+
+// Shared by the files of this room only: it shows GDAL's own types.
+
+namespace runout {
+
+/// The layer that a query names, or the only one that holds lines. Throws InputError: no such layer, or
+/// several.
+OGRLayer& layer_of(GDALDataset& data, const LineQuery& query);
+
+}  // namespace runout
