@@ -296,8 +296,8 @@ void forget_how_fine_the_file_said(CaseSpec& spec, std::string_view except) {
     }
 }
 
-/// Which key a file stands for that is no case; empty if none. What has the ending of a table, a drawing or LandXML is
-/// one, and never taken for a map; a drawing in DXF is a map only as section.line.
+/// Which key a file stands for that is no case; empty if none. What has the ending of a table, a drawing or
+/// LandXML is one, and never taken for a map; a drawing in DXF is a map only as section.line.
 std::string section_key(const std::string& path) {
     constexpr std::array sections = {".csv", ".txt", ".tsv", ".dat", ".prn",
                                      ".xyz", ".pts", ".dxf", ".xml", ".landxml"};
@@ -318,10 +318,10 @@ CaseSpec read_case(const std::string& path) {
         assign(spec, known_parameter(place), path, place);
     } else {
         read_text(path);  // a missing file is the likelier mistake, and says so
-        throw InputError(
-            whole_file(path), "is neither a case nor a section",
-            "give a .toml file, a table as .csv, .txt, .tsv, .dat, .prn, .xyz or .pts, a drawing as .dxf, LandXML as .xml, "
-            "or lines as GeoPackage, shapefile, GeoJSON, KML, GPX and the like (docs/maps.md)");
+        throw InputError(whole_file(path), "is neither a case nor a section",
+                         "give a .toml file, a table as .csv, .txt, .tsv, .dat, .prn, .xyz or .pts, a "
+                         "drawing as .dxf, LandXML as .xml, "
+                         "or lines as GeoPackage, shapefile, GeoJSON, KML, GPX and the like (docs/maps.md)");
     }
     if (!spec.has("run.name")) spec.name = name_from(path);
     return spec;

@@ -281,9 +281,9 @@ std::vector<Parameter> numerical_run_parameters() {
 std::vector<Parameter> whole_table() {
     std::vector<Parameter> table;
     for (const auto& part :
-         {section_parameters(), section_format_parameters(), line_parameters(), raster_parameters(), placing_parameters(),
-          source_shape_parameters(), source_place_parameters(), material_parameters(), effect_parameters(),
-          physical_run_parameters(), numerical_run_parameters()})
+         {section_parameters(), section_format_parameters(), line_parameters(), raster_parameters(),
+          placing_parameters(), source_shape_parameters(), source_place_parameters(), material_parameters(),
+          effect_parameters(), physical_run_parameters(), numerical_run_parameters()})
         table.insert(table.end(), part.begin(), part.end());
     return table;
 }
