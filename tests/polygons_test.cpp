@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "core/units.h"
 #include "source/area_search.h"
 #include "source/ground_walk.h"
@@ -62,6 +64,64 @@ TEST(GroundWalk, GoesAlongTheGroundInBothDirections) {
     EXPECT_EQ(elevation_at(ground, 2), 2);
     EXPECT_EQ(elevation_at(ground, 1.5), 3);
     EXPECT_EQ(without_needless_points({{0, 0}, {1, 1e-14}, {1, 0}, {2, 0}, {3, 1}}, 1e-12).size(), 3u);
+}
+
+double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+    return distance(p, Polyline{a, b});
+}
+
+/// As the declaration has it, asked for each point again.
+Polyline plainly_without_needless_points(const Polyline& line, double tolerance) {
+    Polyline kept{line.front()};
+    std::size_t last = 0;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+        bool needless = true;
+        for (std::size_t k = last + 1; k <= i && needless; ++k)
+            needless = distance_to_segment(line[k], kept.back(), line[i + 1]) <= tolerance;
+        if (needless) continue;
+        kept.push_back(line[i]);
+        last = i;
+    }
+    kept.push_back(line.back());
+    return kept;
+}
+
+TEST(GroundWalk, LeavesOutThePointsThatASegmentStandsFor) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> share(0, 1);
+    std::size_t left_out = 0;
+    for (int round = 0; round < 2000; ++round) {
+        Polyline line{{share(random), share(random)}};
+        Vec2 way(1, 0);
+        for (int i = 0; i < 30; ++i) {
+            if (share(random) < 0.2) way = Vec2(0.3 + share(random), share(random) - 0.5);
+            const double noise = (share(random) - 0.5) * (share(random) < 0.5 ? 1e-6 : 4e-3);
+            line.push_back(line.back() + way * (0.1 + share(random)) + Vec2(0, noise));
+        }
+        const Polyline kept = without_needless_points(line, 1e-3);
+        ASSERT_EQ(kept, plainly_without_needless_points(line, 1e-3)) << round;
+        left_out += line.size() - kept.size();
+    }
+    EXPECT_GT(left_out, 5000u);
+}
+
+// 2 x 10^10 comparisons where each point of the stretch is asked for again.
+TEST(GroundWalk, ALongStraightStretchCostsNoMoreThanItsPoints) {
+    Polyline line;
+    for (int i = 0; i < 200'000; ++i) line.emplace_back(i * 1e-3, 1 - i * 1e-3);
+    EXPECT_EQ(without_needless_points(line, 1e-9), (Polyline{line.front(), line.back()}));
+}
+
+// Lazy numbers that hold each other, one a corner, overflowed the stack.
+TEST(Region, ManyCornersHaveAnArea) {
+    constexpr int teeth = 30'000;
+    std::vector<Vec2> saw{{0, -1}, {2.0 * teeth, -1}};
+    for (int i = teeth; i > 0; --i) {
+        saw.emplace_back(2 * i, 0);
+        saw.emplace_back(2 * i - 1, 1);
+    }
+    saw.emplace_back(0, 0);
+    EXPECT_EQ(simple_polygon(saw)->area(), 3.0 * teeth);
 }
 
 }  // namespace

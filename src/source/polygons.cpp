@@ -50,6 +50,18 @@ Number cross(const Vector& a, const Vector& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
+/// A sum of lazy numbers is a chain as deep as it is long, and asked for at its end only, one of some ten
+/// thousand corners overflows the stack.
+Number area_of(const ExactPolygon& polygon) {
+    Number twice = 0;
+    int since_exact = 0;
+    for (auto edge = polygon.edges_begin(); edge != polygon.edges_end(); ++edge) {
+        twice += cross(edge->source() - CGAL::ORIGIN, edge->target() - CGAL::ORIGIN);
+        if (++since_exact % 64 == 0) CGAL::exact(twice);
+    }
+    return twice / 2;
+}
+
 /// Perpendicular on the upper side of an uphill vector, of the same length.
 Vector upward_normal(const Vector& v) {
     return {v.y(), -v.x()};
@@ -186,7 +198,7 @@ Polygon Region::outline() const {
 }
 
 double Region::area() const {
-    return rounded(exact_->polygon.area());
+    return rounded(area_of(exact_->polygon));
 }
 
 double Region::area_above(const Vec2& point, double angle) const {
@@ -201,7 +213,7 @@ double Region::area_above(const Vec2& point, double angle) const {
     above.push_back(p + along + upward_normal(along));
     above.push_back(p + along);
     Number sum = 0;
-    for (const ExactPolygon& part : common_part(exact_->polygon, above)) sum += part.area();
+    for (const ExactPolygon& part : common_part(exact_->polygon, above)) sum += area_of(part);
     return rounded(sum);
 }
 
@@ -271,7 +283,7 @@ std::optional<Region> wedge(const Polyline& ground, const WedgeCut& cut) {
 std::optional<Region> simple_polygon(const std::vector<Vec2>& corners) {
     ExactPolygon polygon;
     for (const Vec2& p : corners) polygon.push_back(exact(p));
-    if (polygon.size() < 3 || !polygon.is_simple() || polygon.area() == 0) return std::nullopt;
+    if (polygon.size() < 3 || !polygon.is_simple() || area_of(polygon) == 0) return std::nullopt;
     return make_region(polygon);
 }
 
@@ -286,7 +298,7 @@ std::optional<std::vector<Region>> ground_above(const Polyline& ground, const Po
 
     std::vector<ExactPolygon> parts = common_part(hill(ground, frame), counter_clockwise(cutter));
     std::ranges::sort(parts,
-                      [](const ExactPolygon& a, const ExactPolygon& b) { return a.area() > b.area(); });
+                      [](const ExactPolygon& a, const ExactPolygon& b) { return area_of(a) > area_of(b); });
     std::vector<Region> regions;
     for (const ExactPolygon& part : parts) regions.push_back(make_region(part));
     return regions;
