@@ -326,6 +326,8 @@ TEST_F(SectionTable, NamesThatLeaveAChoiceAreRefused) {
                  "are not two columns");
     EXPECT_PRED2(contains, refusal("Distance;DTM\n0;32\n30;31\n", {.columns = "2"}),
                  "does not name two columns");
+    EXPECT_PRED2(contains, refusal("Distance;DTM\n0;32\n30;31\n", {.columns = "2,9"}),
+                 "the columns 2,9 that section.columns");
 }
 
 // ---- units and stations

@@ -69,9 +69,7 @@ class PointReader {
         const bool by_blanks = reading_.separator == Separator::blanks;
         if (few || (named && by_commas && count > layout_.header_cells))
             throw InputError({path_, row.line, "", ""},
-                             fmt::format("has {} field{}", count, count == 1 ? "" : "s"),
-                             named ? fmt::format("the header names {}", layout_.header_cells)
-                                   : "give a chainage and an elevation");
+                             fmt::format("has {} field{}", count, count == 1 ? "" : "s"), wanted_fields(few));
         // Where blanks separate, a name of two words looks like two columns.
         if (by_blanks && layout_.by_name && count != layout_.header_cells)
             throw InputError({path_, row.line, "", ""},
@@ -84,6 +82,14 @@ class PointReader {
                 {path_, row.line, "", ""},
                 fmt::format("has {} fields, and line {} has {}", count, first.line, first.cell_count),
                 "give each row the same columns");
+    }
+
+    [[nodiscard]] std::string wanted_fields(bool few) const {
+        const std::string& columns = reading_.options.columns;
+        if (few && !columns.empty())
+            return fmt::format("the columns {} that section.columns names are to be in each row", columns);
+        return layout_.header_cells > 0 ? fmt::format("the header names {}", layout_.header_cells)
+                                        : "give a chainage and an elevation";
     }
 
     [[nodiscard]] double number(std::string_view cell, const TableColumn& column, int line) const {
