@@ -188,7 +188,7 @@ TEST_F(MapLines, DegreesAndWebMercatorGiveTheSameLineInMetres) {
     for (const char* name : {"degrees.geojson", "web-mercator.geojson"}) {
         const Profile profile = line_profile(field_file(name));
         EXPECT_NEAR(profile.map_line->chainage_m.back(), 201.55, 0.02) << name;
-        EXPECT_NEAR(degrees(profile.slope_angle()), 60.0, 0.05) << name;
+        EXPECT_NEAR(degrees(profile.slope_angle), 60.0, 0.05) << name;
     }
 }
 
@@ -226,7 +226,7 @@ TEST_F(MapLines, MetresAreTrueWhateverTheScaleOfTheSystem) {
         const Profile profile = line_profile(file);
         EXPECT_NEAR(profile.map_line->chainage_m.back(), 200, 0.2)
             << crs << " at " << longitude << " " << latitude;
-        EXPECT_NEAR(degrees(profile.slope_angle()), 45, 0.06) << crs;
+        EXPECT_NEAR(degrees(profile.slope_angle), 45, 0.06) << crs;
         std::filesystem::remove(file);
     }
 }
