@@ -9,6 +9,7 @@
 #include "scene/case_file.h"
 #include "scene/read_ground.h"
 #include "scene/scene.h"
+#include "scene/section_cases.h"
 
 namespace runout {
 namespace {
