@@ -43,11 +43,19 @@ bool is_key_in_a_comment(const std::string& line) {
     });
 }
 
-/// The text with the # taken from one line.
+bool is_chainage_of_face(const std::string& line) {
+    return line.starts_with("# toe_chainage_m") || line.starts_with("# crest_chainage_m");
+}
+
+/// The text with the # taken from one key, of toe and crest from both.
 std::string with_key(const std::vector<std::string>& lines, std::size_t taken) {
+    const bool face = is_chainage_of_face(lines[taken]);
     std::string text;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        text += (i == taken ? lines[i].substr(2) : lines[i]) + "\n";
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const bool key = i == taken || (face && is_chainage_of_face(lines[i]));
+        text += key ? lines[i].substr(2) : lines[i];
+        text += '\n';
+    }
     return text;
 }
 
@@ -89,8 +97,9 @@ TEST_F(NewCases, ExplainEachKeyAndSayWhatWasFound) {
     for (const char* part :
          {"file = \"section.csv\"", "# toe_chainage_m = 41.547", "# crest_chainage_m = 30\n", "type = \"B\"",
           "base_angle_deg = 35", "scarp_angle_deg = 80", "friction_angle_deg = 38", "# An example!",
-          "# density_kg_m3 = 2000", "# accuracy = \"5%\"", "20 m high, 60.0 deg", "[effects.cohesion]",
-          "[[gauge]]", "# Dip of the basal slip surface. (0 <= number < 90 deg; without it: 35)"})
+          "# density_kg_m3 = 2000", "# accuracy = \"5%\"", "this is a guess to begin with",
+          "20 m high, 60.0 deg", "[effects.cohesion]", "[[gauge]]",
+          "# Dip of the basal slip surface. (0 <= number < 90 deg; without it: 35)"})
         EXPECT_TRUE(contains(text, part));
     for (const std::string& line : lines_of(text)) EXPECT_LE(line.size(), 110u) << line;
 }

@@ -9,6 +9,7 @@
 #include "scene/case_file.h"
 #include "scene/read_ground.h"
 #include "scene/scene.h"
+#include "scene/section_cases.h"
 
 namespace runout {
 namespace {
@@ -180,6 +181,10 @@ TEST_F(SectionFormats, ALineOnTheMapStaysOne) {
     const std::string high =
         write_lines("high.shp", "", {"LINESTRING Z (0 0 32, 30 0 32, 41 0 12, 200 0 12)"}, "ESRI Shapefile");
     EXPECT_TRUE(contains(input_error([&] { make_ground(read_case(high)); }), "section.line_crs"));
+    // So is a drawing that is named as one.
+    CaseSpec plan;
+    override_value(plan, "section.line", write("plan.dxf", DxfText().polyline("g", cut).whole()), "--set");
+    EXPECT_TRUE(is_on_map(plan.section));
     // With a raster or a system given, a line without one is a plan.
     CaseSpec spec = read_case(write_lines("plan.shp", "", {across}, "ESRI Shapefile"));
     EXPECT_TRUE(contains(input_error([&] { make_ground(spec); }), "is the elevation of no ground"));

@@ -40,7 +40,7 @@ Drawing read_dxf(const std::string& path);
 Drawing read_local_lines(const LineQuery& query);
 
 /// Whether the lines are flat and named no coordinate system, as those of read_local_lines are. False for
-/// what cannot be opened.
+/// CAD files, which section.file reads, and for what cannot be opened.
 bool are_local_lines(const LineQuery& query);
 
 }  // namespace runout

@@ -63,6 +63,9 @@ double off_the_curve(const Polyline& points) {
 /// GDAL leaves out what it cannot read. On a layer of lines that would be a hole in the ground.
 void check_complete(const DxfOutline& outline, const Drawing& drawing, const std::string& reason) {
     if (reason.empty()) return;
+    long expected = 0;
+    for (const auto& [layer, count] : outline.lines_of_layer) expected += count;
+    if (static_cast<long>(drawing.lines.size()) >= expected) return;
     std::map<std::string, long> lines_read;
     for (const DrawnLine& line : drawing.lines) ++lines_read[line.layer];
     for (const auto& [layer, count] : outline.lines_of_layer)

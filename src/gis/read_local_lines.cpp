@@ -36,6 +36,20 @@ std::vector<OGRLayer*> asked_layers(GDALDataset& data, const LineQuery& query) {
     return layers;
 }
 
+/// Nothing where it cannot be opened: what reads it next says why.
+GDALDatasetUniquePtr opened(const std::string& file) {
+    try {
+        return open_dataset(file, GDAL_OF_VECTOR, "");
+    } catch (const InputError&) {
+        return nullptr;
+    }
+}
+
+/// Plans are drawn in these as well, and none of them names a coordinate system.
+bool is_cad(GDALDataset& data) {
+    return EQUAL(data.GetDriverName(), "DXF") || EQUAL(data.GetDriverName(), "DGN");
+}
+
 bool is_flat(OGRLayer& layer) {
     DrawnPointCount count("");
     for (const auto& feature : layer)
@@ -75,8 +89,8 @@ void add_lines(OGRLayer& layer, const LineQuery& query, DrawnPointCount& count, 
 
 bool are_local_lines(const LineQuery& query) {
     const QuietGdal quiet;
-    const GDALDatasetUniquePtr data(GDALDataset::Open(query.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
-    if (!data) return false;
+    const GDALDatasetUniquePtr data = opened(query.file);
+    if (!data || is_cad(*data)) return false;
     const std::vector<OGRLayer*> layers = asked_layers(*data, query);
     for (OGRLayer* layer : layers)
         if (is_on_the_map(layer->GetSpatialRef()) || !is_flat(*layer)) return false;
@@ -96,9 +110,8 @@ Drawing read_local_lines(const LineQuery& query) {
                 {query.file, 0, "layer", layer->GetName()},
                 fmt::format("lies on the map, in {}, and a section in a file of its own does not",
                             reference->GetName() != nullptr ? reference->GetName() : "a coordinate system"),
-                "give section.line and section.raster for a line on the map, or take the coordinate system "
-                "away "
-                "from a section drawn as x = chainage and y = elevation");
+                "give section.line and section.raster for a line on the map; a section drawn as x = chainage "
+                "and y = elevation names no coordinate system");
         if (drawing.unit.empty()) drawing.unit = unit_of(reference);
         add_lines(*layer, query, count, drawing);
     }

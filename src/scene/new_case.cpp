@@ -76,12 +76,13 @@ CaseSpec with_settings(const CaseSpec& spec, const Settings& settings) {
 struct Completed {
     CaseSpec spec;
     Site site;
+    bool guessed = false;  ///< nobody said what the source is
 };
 
 std::optional<Completed> tried(const CaseSpec& spec, const Settings& settings) {
     try {
         const CaseSpec completed = with_settings(spec, settings);
-        return Completed{completed, make_site(completed)};
+        return Completed{completed, make_site(completed), true};
     } catch (const InputError&) {
         return std::nullopt;
     }
@@ -182,13 +183,15 @@ void write_section(CaseText& text, const CaseSpec& spec, const Profile& profile)
     text.offered("section.crest_chainage_m", shortest(crest.x()));
 }
 
-void write_source(CaseText& text, const CaseSpec& spec, const Site& site) {
+void write_source(CaseText& text, const Completed& completed) {
+    const auto& [spec, site, guessed] = completed;
     const Source& source = site.source;
     text.section("[source]");
+    if (guessed) text.comment("Nobody said what may fail: this is a guess to begin with.");
     text.comment(fmt::format("The source has an area of {:.4g} m2, and drops {:.4g} m.", source.area,
                              source.drop_height));
     for (const std::string& sentence : site.assumed)
-        if (sentence.starts_with("source.type = ") || sentence.starts_with("source.points = "))
+        if (sentence.ends_with(", as drawn") || sentence.starts_with("source.points = the "))
             text.comment("Taken from the drawing: " + sentence + ".");
     text.offered("source.type", toml_string(to_string(source.type)));
     text.rest_of("source.");
@@ -214,7 +217,8 @@ void write_material(CaseText& text, const CaseSpec& spec) {
 void write_run(CaseText& text, const CaseSpec& spec) {
     text.section("[run]");
     text.given_or("run.name", toml_string(spec.name));
-    text.offered("run.accuracy", toml_string(spec.accuracy));
+    const bool says_how_fine = spec.has("run.resolution") || spec.has("run.particle_spacing_m");
+    if (!says_how_fine) text.offered("run.accuracy", toml_string(spec.accuracy));
     text.rest_of("run.");
 }
 
@@ -256,7 +260,7 @@ NewCase new_case(const CaseSpec& spec, const std::string& folder) {
         "A key in a comment holds as it stands there; take the # away to pin or to change it. runout "
         "help keys lists all keys.");
     write_section(text, completed.spec, completed.site.profile);
-    write_source(text, completed.spec, completed.site);
+    write_source(text, completed);
     write_material(text, completed.spec);
     write_run(text, completed.spec);
     write_effects(text, completed.spec);
