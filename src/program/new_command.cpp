@@ -7,6 +7,7 @@
 #include "core/input_error.h"
 #include "core/output_file.h"
 #include "core/printable.h"
+#include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
 #include "scene/new_case.h"
