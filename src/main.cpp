@@ -1,12 +1,17 @@
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <memory>
 
 #include "core/input_error.h"
+#include "core/printable.h"
 #include "core/version.h"
 #include "gis/network.h"
 #include "program/command.h"
@@ -23,6 +28,7 @@ constexpr const char* examples = R"(Examples:
   runout source section.csv --source C --height 12 --area 60
   runout effects case.toml
   runout table runout.db --format csv
+  runout delete runout.db --older-than 90d
   runout sweep study.toml --db sweep.db
   runout estimate sweep.db --slope-angle 60 --drop-height 3 --front-area 0.2 --friction-angle 35
   runout accuracy cases/box-70/case.toml --target 5%
@@ -35,22 +41,38 @@ constexpr const char* examples = R"(Examples:
   runout help keys
 
 Exit codes: 0 settled or stable, 1 ended otherwise or some lines refused, 2 wrong input (nothing written),
-3 internal error, 130 interrupted.)";
+3 internal error, 4 stored elsewhere (the database was in use; runout merge brings the side database in),
+130 interrupted.)";
 
 std::string version_text() {
     return fmt::format("runout {} (revision {}, {})", program_version(), program_revision(),
                        compiler_description());
 }
 
+/// The message of a log line, as printable() shows it.
+class PrintableMessage : public spdlog::custom_flag_formatter {
+  public:
+    void format(const spdlog::details::log_msg& message, const std::tm&,
+                spdlog::memory_buf_t& line) override {
+        const std::string text = printable({message.payload.data(), message.payload.size()});
+        line.append(text.data(), text.data() + text.size());
+    }
+    [[nodiscard]] std::unique_ptr<custom_flag_formatter> clone() const override {
+        return std::make_unique<PrintableMessage>();
+    }
+};
+
 /// Standard output belongs to the answer.
 void log_to_stderr() {
     auto logger = spdlog::stderr_color_mt("runout");
-    logger->set_pattern("runout: %^%l%$: %v");
+    auto lines = std::make_unique<spdlog::pattern_formatter>();
+    lines->add_flag<PrintableMessage>('*').set_pattern("runout: %^%l%$: %*");
+    logger->set_formatter(std::move(lines));
     spdlog::set_default_logger(logger);
 }
 
 int fail(int code, const std::string& kind, const std::string& sentence) {
-    fmt::print(stderr, "runout: {}: {}\n", kind, sentence);
+    fmt::print(stderr, "runout: {}: {}\n", kind, printable(sentence));
     return code;
 }
 
@@ -96,6 +118,7 @@ int run_program(int argc, char** argv) {
     add_effects_command(app, command);
     add_sweep_command(app, command);
     add_merge_command(app, command);
+    add_delete_command(app, command);
     add_table_command(app, command);
     add_estimate_command(app, command);
     add_accuracy_command(app, command);
@@ -115,12 +138,27 @@ int run_program(int argc, char** argv) {
     return command();
 }
 
+/// A stream that the shell closed would be the next file that is opened, and the answer would go into it.
+void open_closed_streams() {
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
+        if (fcntl(stream, F_GETFD) < 0) (void)open("/dev/null", O_RDWR);
+}
+
+/// An answer that did not get out is none.
+int after_flush(int code) {
+    const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (written) return code;
+    return fail(exit_code::input_error, "error",
+                "standard output cannot be written; check where it goes and free space");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    open_closed_streams();
     try {
         log_to_stderr();
-        return run_program(argc, argv);
+        return after_flush(run_program(argc, argv));
     } catch (const InputError& error) {
         return fail(exit_code::input_error, "error", error.what());
     } catch (const std::exception& error) {

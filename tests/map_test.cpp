@@ -1,6 +1,8 @@
 // Results on the map: where a run-out ends on its line, which layers hold what, what a GIS reads back.
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <map>
 
@@ -347,6 +349,53 @@ TEST_F(ResultMapTest, AnotherCoordinateSystemAndGeoJsonKeepThePlaceToAMillimetre
         const OGRPoint* point = feature->GetGeometryRef()->toPoint();
         EXPECT_LT((Vec2(point->getX(), point->getY()) - wanted).norm(), 1e-3) << name;
     }
+}
+
+TEST_F(ResultMapTest, AMapReplacesItsOwnUntilItWasEdited) {
+    add(scene_on(line_at(834000, "A")), result_with(RunStatus::settled, 9));
+    const MapSheet sheet = map().sheet;
+    for (const std::string name : {"map.gpkg", "map.geojson"}) {
+        for (int time = 0; time < 2; ++time) write_map(path(name), sheet, "");
+        {
+            const GDALDatasetUniquePtr data(
+                GDALDataset::Open(path(name).c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
+            ASSERT_TRUE(data);
+            OGRLayer* layer = data->GetLayer(0);
+            const OGRFeatureUniquePtr feature(layer->GetNextFeature());
+            feature->SetField("run_out_m", 99.0);
+            ASSERT_EQ(layer->SetFeature(feature.get()), OGRERR_NONE);
+        }
+        EXPECT_TRUE(
+            has_part(error_of([&] { write_map(path(name), sheet, ""); }), "exists, and is not known"));
+        write_map(path(name), sheet, "", {.overwrite = true});
+        write_map(path(name), sheet, "");
+    }
+}
+
+TEST_F(ResultMapTest, OpeningAMapIsNotEditingIt) {
+    add(scene_on(line_at(834000, "A")), result_with(RunStatus::settled, 9));
+    write_map(path("map.gpkg"), map().sheet, "");
+    for (const char* journal : {"WAL", "DELETE"}) {  // as QGIS does on opening and on closing
+        const GDALDatasetUniquePtr data(
+            GDALDataset::Open(path("map.gpkg").c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
+        ASSERT_TRUE(data);
+        data->ReleaseResultSet(
+            data->ExecuteSQL((std::string("PRAGMA journal_mode = ") + journal).c_str(), nullptr, ""));
+    }
+    write_map(path("map.gpkg"), map().sheet, "");
+}
+
+TEST_F(ResultMapTest, AMapThatAnotherProgramHasOpenIsNotReplaced) {
+    add(scene_on(line_at(834000, "A")), result_with(RunStatus::settled, 9));
+    write_map(path("map.gpkg"), map().sheet, "");
+    for (const char* ending : {"-wal", "-journal"}) {
+        std::ofstream(path("map.gpkg") + ending) << "x";
+        const std::string sentence =
+            error_of([&] { write_map(path("map.gpkg"), map().sheet, "", {.overwrite = true}); });
+        EXPECT_TRUE(has_part(sentence, "close the program that has it open")) << sentence;
+        std::filesystem::remove(path("map.gpkg") + ending);
+    }
+    write_map(path("map.gpkg"), map().sheet, "");
 }
 
 TEST_F(ResultMapTest, RefusesPlacesAndFormats) {

@@ -105,8 +105,7 @@ TEST_F(ProgramTest, SectionsOfAMapAreRunAndDrawn) {
          {"hazard_band ", "section ", "deposit ", "thickness ", "source ", "runout_extent "})
         EXPECT_TRUE(contains(map.out, layer)) << layer << map.out;
     EXPECT_TRUE(fs::exists(work("t.gpkg")));
-    expect_refused({"map", "t.db", "-o", "t.gpkg"}, {"--output = t.gpkg", "exists", "--overwrite"});
-    EXPECT_EQ(runout({"map", "t.db", "-o", "t.gpkg", "--overwrite"}).exit_code, 0);
+    EXPECT_EQ(runout({"map", "t.db", "-o", "t.gpkg"}).exit_code, 0) << "an unedited map of ours";
     EXPECT_EQ(runout({"map", "t.db", "-o", "t.geojson"}).exit_code, 0);
     const Json features = Json::parse(text_of(work("t.geojson"))).at("features");
     EXPECT_GT(features.size(), 10u);

@@ -52,7 +52,7 @@ TEST_F(ProgramTest, RefusesCommandLinesItDoesNotUnderstand) {
     expect_refused({}, {"subcommand"});
     expect_refused({"rnu", "case.toml"},
                    {"rnu is not a subcommand",
-                    "run, profile, source, effects, sweep, merge, table, estimate, accuracy, map"});
+                    "run, profile, source, effects, sweep, merge, delete, table, estimate, accuracy, map"});
     expect_refused({"run"}, {"FILE"});
     expect_refused({"run", "case.toml", "--angle", "3"}, {"--angle"});
     expect_refused({"run", "case.toml", "--friction-angle"}, {"--friction-angle"});

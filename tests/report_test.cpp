@@ -208,7 +208,7 @@ TEST(RunTable, CsvLeavesOutWhatDoesNotExist) {
 TEST(RunTable, CsvQuotesWhatWouldBreakALine) {
     StoredRun run = settled_run();
     run.name = "a \"steep\", wet\ncut";
-    EXPECT_TRUE(has(run_table({run}, TableFormat::csv), "12,\"a \"\"steep\"\", wet\ncut\",settled,"));
+    EXPECT_TRUE(has(run_table({run}, TableFormat::csv), "12,\"a \"\"steep\"\", wet\\x0acut\",settled,"));
 }
 
 TEST(RunTable, CsvOfNothingIsItsHeader) {

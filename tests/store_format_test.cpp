@@ -126,20 +126,20 @@ TEST_F(StoreTest, TellsEveryColumnOfARunWithItsMeaning) {
     for (const StoredFact& item : facts) EXPECT_FALSE(item.column.ends_with("_id")) << item.column;
 }
 
-TEST_F(StoreTest, FindsTablesThatItDoesNotKnow) {
+TEST_F(StoreTest, FindsTheTablesOfTheFormatThatHaveNoReaderAndNoOthers) {
     const long id = add(example_scene(), example_result());
     raw().exec(
+        "INSERT INTO advice VALUES (1, 0, 'look at it'), (1, 1, 'and again');"
         "CREATE TABLE something_new (run_id INTEGER, row_index INTEGER, name TEXT, depth_m REAL, shape BLOB);"
-        "INSERT INTO something_new VALUES (1, 0, 'house', 0.5, x'00'), (99, 0, 'other run', 1, NULL);"
-        "CREATE TABLE without_rows (run_id INTEGER, depth_m REAL)");
+        "INSERT INTO something_new VALUES (1, 0, 'house', 0.5, x'00')");
     const auto tables = Store(path, Store::Mode::read).further_tables(id);
-    const auto found = std::ranges::find(tables, "something_new", &StoredTable::name);
+    const auto found = std::ranges::find(tables, "advice", &StoredTable::name);
     ASSERT_NE(found, tables.end());
-    EXPECT_EQ(found->columns, (std::vector<std::string>{"name", "depth_m"}));
-    ASSERT_EQ(found->rows.size(), 1u);
-    EXPECT_EQ(found->rows[0], (std::vector<StoredValue>{std::string("house"), 0.5}));
+    EXPECT_EQ(found->columns, (std::vector<std::string>{"sentence"}));
+    ASSERT_EQ(found->rows.size(), 2u);
+    EXPECT_EQ(found->rows[0], (std::vector<StoredValue>{std::string("look at it")}));
     for (const StoredTable& table : tables) {
-        EXPECT_NE(table.name, "without_rows");
+        EXPECT_NE(table.name, "something_new") << "a table of someone else is not shown as ours";
         EXPECT_NE(table.name, "series") << "it has a reader of its own";
     }
 }

@@ -11,6 +11,7 @@
 
 #include "accuracy/study.h"
 #include "accuracy/survey_csv.h"
+#include "core/csv_cell.h"
 #include "core/input_error.h"
 #include "core/machine.h"
 #include "core/version.h"
@@ -119,7 +120,7 @@ std::string survey_text(const Store& store) {
         for (RungSummary rung : study.ladder.rungs) {
             const bool whole = rung.results > 0 && std::isfinite(rung.values[1].mean);
             if (!whole) continue;
-            text += fmt::format("{},{}", study.name, rung.results);
+            text += fmt::format("{},{}", csv_cell(study.name), rung.results);
             for (const Column& column : columns) text += fmt::format(",{:.6g}", column.value(rung));
             text += "\n";
         }

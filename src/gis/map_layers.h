@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/output_file.h"
 #include "gis/map_line.h"
 
 namespace runout {
@@ -31,15 +32,16 @@ struct MapSheet {
     std::vector<MapLayer> layers;
 };
 
-/// Writes the layers that have features, whole or not at all, to a file that does not exist or may be
-/// replaced:
+/// Writes the layers that have features, whole or not at all and by the rules of write_output_file:
 /// - .gpkg: one layer each, in `target_crs` (empty: as they are), with the table of styles that QGIS reads;
 /// - .geojson, .json: one collection in WGS 84 (RFC 7946), the member `layer` telling which one a feature
 ///   belongs to.
-/// Throws InputError: another ending, a place that cannot be written, an unknown coordinate system.
-void write_map(const std::string& path, const MapSheet& sheet, const std::string& target_crs);
+/// Throws InputError: another ending, a place that cannot or must not be written, a GeoPackage that another
+/// program has open, an unknown coordinate system.
+void write_map(const std::string& path, const MapSheet& sheet, const std::string& target_crs,
+               const OutputRules& rules = {});
 
-/// Throws InputError when write_map could not write there by its name.
-void check_map_path(const std::string& path, const std::string& target_crs);
+/// Throws InputError when write_map would refuse that place, before the work.
+void check_map_path(const std::string& path, const std::string& target_crs, const OutputRules& rules = {});
 
 }  // namespace runout

@@ -8,6 +8,8 @@
 
 #include "gis/gdal_access.h"
 #include "gis/map_layers.h"
+#include "gis/map_mark.h"
+#include "gis/memory_file.h"
 
 namespace runout {
 namespace {
@@ -209,9 +211,27 @@ void write_to(const std::string& path, const MapSheet& sheet, const std::string&
     if (CPLGetLastErrorType() >= CE_Failure) fail(path);
 }
 
+/// Another program that has a GeoPackage open keeps what it has written in a file beside it. A new GeoPackage
+/// of that name would take that for its own.
+void refuse_open_geopackage(const std::string& path) {
+    std::error_code ignored;
+    const fs::path place = fs::weakly_canonical(fs::absolute(path), ignored);
+    for (const char* ending : {"-wal", "-journal"}) {
+        const std::string beside = place.string() + ending;
+        if (fs::exists(beside, ignored))
+            throw InputError({"", 0, output_option, path}, "is in use: " + beside + " lies beside it",
+                             "close the program that has it open; if none has, remove that file");
+    }
+}
+
+OutputRules map_rules(OutputRules rules) {
+    rules.is_own_output = is_unedited_map;
+    return rules;
+}
+
 }  // namespace
 
-void check_map_path(const std::string& path, const std::string& target_crs) {
+void check_map_path(const std::string& path, const std::string& target_crs, const OutputRules& rules) {
     const QuietGdal quiet;
     const Format format = format_of(path);
     if (!target_crs.empty()) {
@@ -221,32 +241,23 @@ void check_map_path(const std::string& path, const std::string& target_crs) {
                              "leave it out, or write a .gpkg");
         reference_from(target_crs, "--crs");
     }
-    std::error_code ignored;
-    const fs::path folder = fs::absolute(path).parent_path();
-    if (!fs::is_directory(folder, ignored))
-        throw InputError({"", 0, output_option, path}, "lies in a folder that does not exist",
-                         "make " + folder.string());
+    if (format == Format::geopackage) refuse_open_geopackage(path);
+    check_output_place(path, output_option, Folder::exists, map_rules(rules));
 }
 
-void write_map(const std::string& path, const MapSheet& sheet, const std::string& target_crs) {
-    check_map_path(path, target_crs);
+void write_map(const std::string& path, const MapSheet& sheet, const std::string& target_crs,
+               const OutputRules& rules) {
+    check_map_path(path, target_crs, rules);
     const QuietGdal quiet;
     MapSheet filled{sheet.crs, {}};
     for (const MapLayer& layer : sheet.layers)
         if (!layer.features.empty()) filled.layers.push_back(layer);
-    // Beside its place and moved there when it is whole.
-    const fs::path target(path);
-    const fs::path partial =
-        target.parent_path() / (target.stem().string() + ".partial" + target.extension().string());
-    std::error_code ignored;
-    fs::remove(partial, ignored);
-    try {
-        write_to(partial.string(), filled, target_crs);
-        fs::rename(partial, target);
-    } catch (...) {
-        fs::remove(partial, ignored);
-        throw;
-    }
+    const MemoryFile file(fs::path(path).extension().string());
+    write_to(file.path(), filled, target_crs);
+    const bool geopackage = format_of(path) == Format::geopackage;
+    const std::string map = geopackage ? with_map_mark(file.bytes(), path) : file.bytes();
+    if (geopackage) refuse_open_geopackage(path);  // opened while the work went on
+    write_output_file(path, output_option, map, map_rules(rules));
 }
 
 }  // namespace runout

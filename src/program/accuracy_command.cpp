@@ -3,7 +3,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "accuracy/check_choices.h"
@@ -12,14 +11,20 @@
 #include "accuracy/price.h"
 #include "accuracy/study.h"
 #include "accuracy/survey.h"
+#include "core/output_folder.h"
+#include "core/printable.h"
+#include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
 #include "program/interrupt.h"
+#include "program/output_option.h"
 #include "report/accuracy_page.h"
 #include "report/ladder_text.h"
 #include "report/svg_chart.h"
+#include "scene/input_files.h"
 #include "scene/scene.h"
 #include "store/store.h"
+#include "store/write_ahead.h"
 
 namespace runout {
 namespace {
@@ -33,6 +38,7 @@ struct AccuracyArguments {
     std::string chart;
     std::string page;
     std::string survey;
+    OutputRules rules{};
     double budget_s = 300;
     double at_least_to = 0;
     int lattices = 3;
@@ -46,22 +52,24 @@ InputPlace option(const char* name, const std::string& value) {
     return {.file = name, .line = 0, .key = {}, .value = value};
 }
 
-/// What would only be found out after all runs.
-void check_place(const char* name, const std::string& path) {
-    if (path.empty()) return;
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored))
-        throw InputError(option(name, path), "is a folder", "give the name of a file");
-    if (!fs::is_directory(fs::absolute(path).parent_path(), ignored))
-        throw InputError(option(name, path), "is in a folder that does not exist", "create the folder first");
+/// The files that this call reads, and the database.
+std::vector<std::string> taken_by(const AccuracyArguments& arguments) {
+    std::vector<std::string> taken = database_files(arguments.database);
+    if (arguments.scenario.file.empty()) return taken;
+    for (const std::string& file : input_files(case_from(arguments.scenario))) taken.push_back(file);
+    return taken;
 }
 
-void write_file(const fs::path& path, const std::string& text) {
-    std::ofstream stream(path, std::ios::binary);
-    stream << text;
-    if (!stream.flush())
-        throw InputError(option("--output", path.string()), "cannot be written",
-                         "give a file in a place that you may write");
+/// What would only be found out after all runs. Each output is taken for those after it.
+void check_places(const AccuracyArguments& arguments) {
+    OutputRules rules = arguments.rules;
+    for (const auto& [name, path] :
+         {std::pair{"--chart", arguments.chart}, std::pair{"--page", arguments.page},
+          std::pair{"--survey", arguments.survey}}) {
+        if (path.empty()) continue;
+        check_output_place(path, name, Folder::exists, rules);
+        rules.taken.push_back(path);
+    }
 }
 
 /// A case says how fine it wants to be run; a ladder asks at every spacing.
@@ -81,7 +89,7 @@ Scene scene_of(const AccuracyArguments& arguments) {
 
 void say(const AccuracyArguments& arguments, const std::string& text) {
     if (arguments.json) return;
-    fmt::print("{}", text);
+    print_text(text);
     std::fflush(stdout);
 }
 
@@ -114,6 +122,7 @@ void compare_and_tell(const Scene& scene, Ladder& ladder, Store& store, const Ac
 int study(const AccuracyArguments& arguments) {
     const Scene scene = scene_of(arguments);
     accuracy_target(arguments.target, option("--target", arguments.target));
+    const WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
     InterruptWatch interrupt;
     Ladder ladder = climb_and_tell(scene, store, arguments, interrupt.requested());
@@ -127,10 +136,11 @@ int study(const AccuracyArguments& arguments) {
     const long ladder_id = store.add(stored);
     spdlog::info("stored as study {} in {}", ladder_id, arguments.database);
     const std::vector<MethodPoint> points = read_study(stored, store).points;
-    if (arguments.json) fmt::print("{}", ladder_json(scene.name, ladder, prices, points));
+    if (arguments.json) print_json(ladder_json(scene.name, ladder, prices, points));
     if (!arguments.chart.empty())
-        write_file(arguments.chart,
-                   svg_chart(work_precision_figure(scene.name, chart_title(scene.name), points)));
+        write_output_file(arguments.chart, "--chart",
+                          svg_chart(work_precision_figure(scene.name, chart_title(scene.name), points)),
+                          arguments.rules);
     if (interrupt.requested()) return exit_code::interrupted;
     return ladder.convergence[0].fit ? exit_code::success : exit_code::not_a_result;
 }
@@ -142,18 +152,26 @@ void write_page(const AccuracyArguments& arguments, const Store& store) {
     if (studies.empty())
         throw InputError(option("--db", arguments.database), "holds no study of accuracy",
                          "make one with: runout accuracy CASE --db " + arguments.database);
-    fs::create_directories(pictures);
-    for (const AccuracyStudy& item : studies)
-        write_file(pictures / (item.name + ".svg"),
-                   svg_chart(work_precision_figure(item.name, chart_title(item.name), item.points)));
-    write_file(page, accuracy_page(studies, page.stem().string()));
+    std::vector<std::string> names;
+    for (const AccuracyStudy& item : studies) names.push_back(item.name);
+    const std::vector<std::string> files = distinct_file_names(names);
+    const auto path_of = [&](std::size_t i) { return (pictures / (files[i] + ".svg")).string(); };
+    for (std::size_t i = 0; i < studies.size(); ++i)
+        check_output_place(path_of(i), "--page", Folder::may_be_made, arguments.rules);
+    make_output_folder(pictures.string(), "--page");
+    for (std::size_t i = 0; i < studies.size(); ++i)
+        write_output_file(path_of(i), "--page",
+                          svg_chart(work_precision_figure(studies[i].name, chart_title(studies[i].name),
+                                                          studies[i].points)),
+                          arguments.rules);
+    write_output_file(arguments.page, "--page", accuracy_page(studies, page.stem().string()),
+                      arguments.rules);
 }
 
-int accuracy(const AccuracyArguments& arguments) {
+int accuracy(AccuracyArguments arguments) {
     if (arguments.quiet) spdlog::set_level(spdlog::level::err);
-    check_place("--chart", arguments.chart);
-    check_place("--page", arguments.page);
-    check_place("--survey", arguments.survey);
+    arguments.rules.taken = taken_by(arguments);
+    check_places(arguments);
     const bool from_store = !arguments.page.empty() || !arguments.survey.empty();
     if (arguments.scenario.file.empty() && !from_store)
         throw InputError(option("accuracy", ""), "has no FILE",
@@ -163,7 +181,8 @@ int accuracy(const AccuracyArguments& arguments) {
     if (!from_store) return code;
     const Store store(arguments.database, Store::Mode::read);
     if (!arguments.page.empty()) write_page(arguments, store);
-    if (!arguments.survey.empty()) write_file(arguments.survey, survey_text(store));
+    if (!arguments.survey.empty())
+        write_output_file(arguments.survey, "--survey", survey_text(store), arguments.rules);
     return code;
 }
 
@@ -220,6 +239,7 @@ void add_accuracy_command(CLI::App& app, Command& command) {
                     "Write the ladders of the database as CSV, the form of src/accuracy/ladders.csv")
         ->type_name("PATH")
         ->group("Output");
+    add_overwrite_option(*sub, arguments->rules);
     sub->add_flag("--json", arguments->json, "Print the study as one JSON object")->group("Output");
     sub->add_flag("--quiet", arguments->quiet, "No log but errors")->group("Output");
     sub->callback([arguments, &command] { command = [arguments] { return accuracy(*arguments); }; });

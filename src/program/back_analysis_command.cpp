@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <memory>
 
+#include "program/answer.h"
 #include "program/command.h"
 #include "program/interrupt.h"
 #include "program/jobs_option.h"
 #include "report/back_analysis_text.h"
 #include "store/store.h"
+#include "store/write_ahead.h"
 #include "validation/back_analysis.h"
 
 namespace runout {
@@ -24,6 +26,7 @@ struct BackAnalysisArguments {
 int back_analyse(const BackAnalysisArguments& arguments) {
     if (arguments.quiet) spdlog::set_level(spdlog::level::err);
     const BackAnalysis analysis = read_back_analysis(arguments.folder);
+    const WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
     InterruptWatch interrupt;
     SuiteOptions options;
@@ -39,7 +42,7 @@ int back_analyse(const BackAnalysisArguments& arguments) {
     }
     std::vector<StoredRun> runs;
     for (const long id : ids) runs.push_back(store.run(id));
-    fmt::print("{}", back_analysis_text(analysis, runs));
+    print_text(back_analysis_text(analysis, runs));
     return std::ranges::all_of(runs, [](const StoredRun& run) { return is_result(run.status); })
                ? exit_code::success
                : exit_code::not_a_result;

@@ -11,7 +11,9 @@ constexpr int success = 0;         ///< settled or stable, or nothing to run
 constexpr int not_a_result = 1;    ///< the run ended by a limit or a failure of the method
 constexpr int input_error = 2;     ///< nothing was written
 constexpr int internal_error = 3;  ///< a defect of the program or of the machine
-constexpr int interrupted = 130;   ///< Ctrl-C; the run is stored as such
+constexpr int stored_elsewhere =
+    4;  ///< the run has ended, and its database could not take it: a side database did
+constexpr int interrupted = 130;  ///< Ctrl-C; the run is stored as such
 }  // namespace exit_code
 
 /// The work of the subcommand that was named: set while the command line is parsed, called once after it.
@@ -28,6 +30,7 @@ void add_effects_command(CLI::App& app, Command& command);
 void add_accuracy_command(CLI::App& app, Command& command);
 void add_sweep_command(CLI::App& app, Command& command);
 void add_merge_command(CLI::App& app, Command& command);
+void add_delete_command(CLI::App& app, Command& command);
 void add_table_command(CLI::App& app, Command& command);
 void add_estimate_command(CLI::App& app, Command& command);
 void add_report_command(CLI::App& app, Command& command);

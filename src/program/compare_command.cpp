@@ -5,8 +5,9 @@
 #include <memory>
 
 #include "core/input_error.h"
+#include "program/answer.h"
 #include "program/command.h"
-#include "program/output_file.h"
+#include "program/output_option.h"
 #include "program/run_choice.h"
 #include "report/comparison.h"
 #include "store/store.h"
@@ -17,11 +18,14 @@ namespace {
 struct CompareArguments {
     RunChoice choice;
     std::string output;
+    OutputRules rules{};
     double width = std::numeric_limits<double>::quiet_NaN();
 };
 
-int compare(const CompareArguments& arguments) {
-    if (!arguments.output.empty()) check_output_place(arguments.output, "-o");
+int compare(CompareArguments arguments) {
+    arguments.rules.taken = database_files(arguments.choice.database);
+    if (!arguments.output.empty())
+        check_output_place(arguments.output, "-o", Folder::exists, arguments.rules);
     const Store store(arguments.choice.database, Store::Mode::read);
     const RunData run = read_run_data(store, chosen_run(store, arguments.choice));
     const std::string refusal = comparison_refusal(run);
@@ -32,9 +36,9 @@ int compare(const CompareArguments& arguments) {
                           .value = std::to_string(run.run.run_id)},
                          "cannot be compared: " + refusal, "name a settled run with --run");
     const Comparison comparison = compare_run(run, arguments.width);
-    fmt::print("{}", comparison_text(run, comparison));
+    print_text(comparison_text(run, comparison));
     if (arguments.output.empty()) return exit_code::success;
-    write_output_file(arguments.output, "-o", comparison_page(run, comparison));
+    write_output_file(arguments.output, "-o", comparison_page(run, comparison), arguments.rules);
     spdlog::info("wrote {}", arguments.output);
     return exit_code::success;
 }
@@ -48,6 +52,7 @@ void add_compare_command(CLI::App& app, Command& command) {
     add_run_choice(*sub, arguments->choice);
     add_width_option(*sub, arguments->width);
     sub->add_option("-o,--output", arguments->output, "Also write a page with the chart")->type_name("PATH");
+    add_overwrite_option(*sub, arguments->rules);
     sub->callback([arguments, &command] { command = [arguments] { return compare(*arguments); }; });
 }
 

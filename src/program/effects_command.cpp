@@ -4,7 +4,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "core/printable.h"
 #include "measures/effect_cost.h"
+#include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
 #include "scene/effect_settings.h"
@@ -30,7 +32,8 @@ std::string cost_text(const MeasuredEffect& effect) {
 
 std::string text_of(const Scene& scene, const std::vector<MeasuredEffect>& effects) {
     const auto settings = effect_settings(scene.effects, scene.profile);
-    std::string text = fmt::format("Effects of {}: what the case does not name is not there.\n", scene.name);
+    std::string text =
+        fmt::format("Effects of {}: what the case does not name is not there.\n", printable(scene.name));
     text += fmt::format("  {:<14} {:<4} {:<16} {}\n", "effect", "", "costs", "why");
     for (const MeasuredEffect& effect : effects) {
         const std::string given = settings_text(settings, effect.name);
@@ -54,7 +57,7 @@ std::string json_of(const Scene& scene, const std::vector<MeasuredEffect>& effec
                                {"settings", settings},
                                {"cost_share", std::isnan(effect.share) ? Json(nullptr) : Json(effect.share)}};
     }
-    return object.dump(2) + "\n";
+    return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 int show_effects(const EffectsArguments& arguments) {
@@ -62,7 +65,10 @@ int show_effects(const EffectsArguments& arguments) {
     log_reading(scene.profile);
     log_assumptions(scene.assumed);
     const std::vector<MeasuredEffect> effects = measure_effects(scene);
-    fmt::print("{}", arguments.json ? json_of(scene, effects) : text_of(scene, effects));
+    if (arguments.json)
+        print_json(json_of(scene, effects));
+    else
+        print_text(text_of(scene, effects));
     return exit_code::success;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/input_error.h"
+#include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
 #include "program/study_choice.h"
@@ -65,12 +66,18 @@ int tell_estimate(const EstimateArguments& arguments) {
     const ChartPoints points = chart_points(store.chart_rows(study_id), question.chart);
     if (arguments.check) {
         const HeldOutCheck check = check_held_out(points, arguments.database);
-        fmt::print("{}", arguments.json ? held_out_json(check) : held_out_text(check));
+        if (arguments.json)
+            print_json(held_out_json(check));
+        else
+            print_text(held_out_text(check));
         return exit_code::success;
     }
     const RunOutChart chart(points, arguments.database);
     const Estimate estimate = chart.estimate(question.chart);
-    fmt::print("{}", (arguments.json ? estimate_json : estimate_text)(chart, estimate, question.scale));
+    if (arguments.json)
+        print_json(estimate_json(chart, estimate, question.scale));
+    else
+        print_text(estimate_text(chart, estimate, question.scale));
     return exit_code::success;
 }
 

@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <filesystem>
 #include <memory>
 
-#include "core/input_error.h"
+#include "core/printable.h"
+#include "program/answer.h"
 #include "program/command.h"
+#include "program/output_option.h"
 #include "report/result_map.h"
 
 namespace runout {
@@ -16,24 +17,19 @@ struct MapArguments {
     std::string output;
     std::string crs;
     MapOptions options;
-    bool overwrite = false;
+    OutputRules rules{};
 };
 
-void check_output(const MapArguments& arguments) {
-    check_map_path(arguments.output, arguments.crs);
-    if (!arguments.overwrite && std::filesystem::exists(arguments.output))
-        throw InputError({"", 0, "--output", arguments.output}, "exists",
-                         "give another name, or --overwrite");
-}
-
-int make_map(const MapArguments& arguments) {
-    check_output(arguments);
+int make_map(MapArguments arguments) {
+    arguments.rules.taken = database_files(arguments.database);
+    check_map_path(arguments.output, arguments.crs, arguments.rules);
     const ResultMap map = result_map(Store(arguments.database, Store::Mode::read), arguments.options);
-    write_map(arguments.output, map.sheet, arguments.crs);
+    write_map(arguments.output, map.sheet, arguments.crs, arguments.rules);
     for (const std::string& remark : map.remarks) spdlog::warn("{}", remark);
     for (const MapLayer& layer : map.sheet.layers)
         if (!layer.features.empty())
-            fmt::print("{:<24}{:>6}  {}\n", layer.name, layer.features.size(), layer.title);
+            print_text(fmt::format("{:<24}{:>6}  {}\n", printable(layer.name), layer.features.size(),
+                                   printable(layer.title)));
     return exit_code::success;
 }
 
@@ -57,7 +53,7 @@ void add_map_command(CLI::App& app, Command& command) {
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     sub->add_flag("--every-run", arguments->options.every_run, "Not only the finest run of each question");
-    sub->add_flag("--overwrite", arguments->overwrite, "Replace the file if it exists");
+    add_overwrite_option(*sub, arguments->rules);
     sub->callback([arguments, &command] { command = [arguments] { return make_map(*arguments); }; });
 }
 

@@ -1,9 +1,15 @@
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
+#include <cstdio>
 #include <memory>
 #include <vector>
 
+#include "core/input_error.h"
+#include "core/printable.h"
+#include "program/answer.h"
 #include "program/command.h"
+#include "store/database.h"
 #include "store/store.h"
 
 namespace runout {
@@ -14,16 +20,39 @@ struct MergeArguments {
     std::vector<std::string> from;
 };
 
+void tell(const std::string& path, const MergeCounts& counts) {
+    print_text(fmt::format("{}: {} runs added, {} known already, {} studies\n", printable(path),
+                           counts.runs_added, counts.runs_known, counts.studies));
+    std::fflush(stdout);
+    for (const std::string& object : counts.foreign)
+        spdlog::warn("{} holds a {} that is not Runout's; it was left there", path, object);
+    if (counts.lacks_log)
+        spdlog::warn(
+            "{0} says that it is written through a log, and there is no {0}-wal beside it: runs may be "
+            "missing. If "
+            "it was copied, copy {0}-wal too and merge again",
+            path);
+}
+
 int merge(const MergeArguments& arguments) {
-    for (const std::string& path : arguments.from)
-        Store(path, Store::Mode::read);  // all, before any is copied
+    for (const std::string& path : arguments.from) check_whole(path);  // all, before any is copied
     Store store(arguments.into, Store::Mode::write);
-    for (const std::string& path : arguments.from) {
-        const MergeCounts counts = store.merge(path);
-        fmt::print("{}: {} runs added, {} known already, {} studies\n", path, counts.runs_added,
-                   counts.runs_known, counts.studies);
+    bool complete = true;
+    std::size_t merged = 0;
+    try {
+        for (const std::string& path : arguments.from) {
+            const MergeCounts counts = store.merge(path);
+            tell(path, counts);
+            complete = complete && !counts.lacks_log;
+            ++merged;
+        }
+    } catch (const InputError& error) {
+        if (merged == 0) throw;
+        // What was merged stays, each database whole, and may be merged again.
+        spdlog::error("{}; the {} before it are merged, it and those after it are not", error.what(), merged);
+        return exit_code::not_a_result;
     }
-    return exit_code::success;
+    return complete ? exit_code::success : exit_code::not_a_result;
 }
 
 }  // namespace

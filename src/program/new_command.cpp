@@ -5,9 +5,11 @@
 #include <memory>
 
 #include "core/input_error.h"
+#include "core/output_file.h"
+#include "core/printable.h"
+#include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
-#include "program/output_file.h"
 #include "scene/new_case.h"
 
 namespace runout {
@@ -21,9 +23,10 @@ struct NewArguments {
 };
 
 void check_place(const std::string& output) {
-    check_output_place(output, "--output");
-    if (fs::exists(output))
+    std::error_code ignored;
+    if (fs::is_regular_file(output, ignored))
         throw InputError({"--output", 0, "", output}, "exists already", "give the name of a new file");
+    check_output_place(output, "--output");
 }
 
 int write_new_case(const NewArguments& arguments) {
@@ -39,12 +42,13 @@ int write_new_case(const NewArguments& arguments) {
     if (made.example_friction)
         spdlog::warn("material.friction_angle_deg = 38 is an example; give that of the soil");
     if (arguments.output.empty()) {
-        fmt::print("{}", made.text);
+        print_text(made.text);
         return exit_code::success;
     }
     write_output_file(arguments.output, "--output", made.text);
-    fmt::print("{} is a case with {} and a source of type {}; next: runout run {}\n", arguments.output,
-               spec.file, to_string(made.source_type), arguments.output);
+    print_text(fmt::format("{} is a case with {} and a source of type {}; next: runout run {}\n",
+                           printable(arguments.output), printable(spec.file), to_string(made.source_type),
+                           printable(arguments.output)));
     return exit_code::success;
 }
 

@@ -2,18 +2,20 @@
 #include <spdlog/spdlog.h>
 
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 
 #include "core/input_error.h"
+#include "core/printable.h"
 #include "core/units.h"
+#include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
-#include "program/output_file.h"
+#include "program/output_option.h"
 #include "program/refused_sections.h"
 #include "report/section_view.h"
 #include "report/svg_chart.h"
+#include "scene/input_files.h"
 
 namespace runout {
 namespace {
@@ -26,6 +28,7 @@ struct ProfileArguments {
     CaseArguments scenario;
     std::string svg;
     std::string refused;
+    OutputRules rules{};
 };
 
 /// A section with its source. Where the case says nothing of a source, and the usual one does not fit, the
@@ -59,64 +62,68 @@ SectionView view_of(const ShownSection& section) {
 /// One line a section.
 std::string overview(const std::vector<ShownSection>& sections) {
     std::size_t widest = 4;
-    for (const ShownSection& section : sections) widest = std::max(widest, section.name.size());
+    for (const ShownSection& section : sections) widest = std::max(widest, printable(section.name).size());
     std::string text = fmt::format("{:<{}}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}\n", "name", widest, "length",
                                    "toe", "crest", "height", "face");
     text += fmt::format("{:<{}}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}\n", "", widest, "m", "m", "m", "m", "deg");
     for (const ShownSection& section : sections) {
         const Profile& profile = section.profile;
         const Vec2& crest = profile.ground[profile.crest];
-        text +=
-            fmt::format("{:<{}}  {:>8.1f}  {:>8.1f}  {:>8.1f}  {:>8.1f}  {:>8.1f}\n", section.name, widest,
-                        profile.ground.back().x() - profile.ground.front().x(), profile.toe_chainage_m,
-                        profile.to_section(crest).x(), crest.y(), degrees(profile.slope_angle));
+        text += fmt::format("{:<{}}  {:>8.1f}  {:>8.1f}  {:>8.1f}  {:>8.1f}  {:>8.1f}\n",
+                            printable(section.name), widest,
+                            profile.ground.back().x() - profile.ground.front().x(), profile.toe_chainage_m,
+                            profile.to_section(crest).x(), crest.y(), degrees(profile.slope_angle));
     }
     return text;
 }
 
-/// "out.svg", or "out-A.svg" for each of many sections; what a file name cannot hold becomes "_".
-std::string svg_path(const std::string& path, const std::string& name, bool many) {
-    if (!many) return path;
-    std::string safe = name;
-    for (char& letter : safe)
-        if (letter == '/' || letter == '\\' || letter == ':') letter = '_';
+/// "out.svg", or "out-A.svg" for each of many sections.
+std::vector<std::string> svg_paths(const std::string& path, const std::vector<ShownSection>& sections,
+                                   bool many) {
+    if (!many) return {path};
+    std::vector<std::string> names;
+    for (const ShownSection& section : sections) names.push_back(section.name);
     const fs::path whole(path);
-    return (whole.parent_path() /
-            fmt::format("{}-{}{}", whole.stem().string(), safe, whole.extension().string()))
-        .string();
+    std::vector<std::string> paths;
+    for (const std::string& name : distinct_file_names(names))
+        paths.push_back((whole.parent_path() /
+                         fmt::format("{}-{}{}", whole.stem().string(), name, whole.extension().string()))
+                            .string());
+    return paths;
 }
 
-void write_svg(const std::string& path, const ShownSection& section) {
-    std::ofstream file(path, std::ios::binary);
-    file << svg_chart(section_figure(view_of(section), section.name));
-    file.close();
-    if (!file)
-        throw InputError({"", 0, "--svg", path}, "cannot be written",
-                         "check that its folder exists, and its permissions");
+/// Refuses before the first is written.
+void write_svgs(const std::vector<ShownSection>& sections, bool many, const ProfileArguments& arguments) {
+    const std::vector<std::string> paths = svg_paths(arguments.svg, sections, many);
+    for (const std::string& path : paths) check_output_place(path, "--svg", Folder::exists, arguments.rules);
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        write_output_file(paths[i], "--svg",
+                          svg_chart(section_figure(view_of(sections[i]), sections[i].name)), arguments.rules);
 }
 
-int show_profile(const ProfileArguments& arguments) {
-    if (!arguments.refused.empty()) check_output_place(arguments.refused, "--refused");
-    const std::vector<SectionCase> cases = section_cases(case_from(arguments.scenario));
+int show_profile(ProfileArguments arguments) {
+    const CaseSpec whole = case_from(arguments.scenario);
+    arguments.rules.taken = input_files(whole);
+    if (!arguments.refused.empty())
+        check_output_place(arguments.refused, "--refused", Folder::exists, arguments.rules);
+    const std::vector<SectionCase> cases = section_cases(whole);
     SectionTally tally(cases);
     std::vector<ShownSection> sections;
     for (const SectionCase& each : cases)
         if (auto section = tally.make(each, section_of)) sections.push_back(std::move(*section));
     tally.require_any();
-    write_refused(arguments.refused, tally.sections().refused);
+    write_refused(arguments.refused, tally.sections().refused, arguments.rules);
     const bool many = tally.many();
-    if (!arguments.svg.empty())
-        for (const ShownSection& section : sections)
-            write_svg(svg_path(arguments.svg, section.name, many), section);
+    if (!arguments.svg.empty()) write_svgs(sections, many, arguments);
     if (many) {
-        fmt::print("{}", overview(sections));
+        print_text(overview(sections));
         if (!tally.any_refused()) return exit_code::success;
-        fmt::print("{}\n", tally.summary());
+        print_text(tally.summary() + "\n");
         return exit_code::not_a_result;
     }
     const ShownSection& section = sections.front();
     log_reading(section.profile);
-    fmt::print("{}{}", section_text(view_of(section)), section_drawing(view_of(section), drawing_columns));
+    print_text(section_text(view_of(section)) + section_drawing(view_of(section), drawing_columns));
     if (!section.no_source.empty()) spdlog::info("no source is shown: {}", section.no_source);
     return exit_code::success;
 }
@@ -132,6 +139,7 @@ void add_profile_command(CLI::App& app, Command& command) {
         ->type_name("PATH")
         ->group("Output");
     add_refused_option(*sub, arguments->refused);
+    add_overwrite_option(*sub, arguments->rules);
     sub->callback([arguments, &command] { command = [arguments] { return show_profile(*arguments); }; });
 }
 

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "program/output_file.h"
-
 namespace runout {
 namespace {
 
@@ -75,13 +73,14 @@ void add_refused_option(CLI::App& subcommand, std::string& path) {
         ->group("Output");
 }
 
-void write_refused(const std::string& path, const std::vector<RefusedSection>& sections) {
+void write_refused(const std::string& path, const std::vector<RefusedSection>& sections,
+                   const OutputRules& rules) {
     if (path.empty()) return;
     std::string text = "origin,feature_id,name,reason\n";
     for (const RefusedSection& section : sections)
         text += fmt::format("{},{},{},{}\n", cell(section.origin), section.feature_id, cell(section.name),
                             cell(section.reason));
-    write_output_file(path, option, text);
+    write_output_file(path, option, text, rules);
 }
 
 }  // namespace runout

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/input_error.h"
+#include "core/output_file.h"
 #include "scene/section_cases.h"
 #include "store/refused_rows.h"
 
@@ -67,6 +68,7 @@ std::string good_and_refused(std::size_t good, std::size_t refused);
 void add_refused_option(CLI::App& subcommand, std::string& path);
 
 /// Writes them as CSV with the columns origin, feature_id, name and reason. Nothing if `path` is empty.
-void write_refused(const std::string& path, const std::vector<RefusedSection>& sections);
+void write_refused(const std::string& path, const std::vector<RefusedSection>& sections,
+                   const OutputRules& rules);
 
 }  // namespace runout

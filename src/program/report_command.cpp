@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "program/command.h"
-#include "program/output_file.h"
+#include "program/output_option.h"
 #include "program/run_choice.h"
 #include "program/study_choice.h"
 #include "report/run_page.h"
@@ -20,6 +20,7 @@ struct ReportArguments {
     std::string output = "report.html";
     std::optional<long> section_id;
     std::string study;
+    OutputRules rules{};
     double width = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -42,11 +43,12 @@ std::string page_of(const Store& store, const ReportArguments& arguments) {
     return run_page(read_run_data(store, chosen_run(store, arguments.choice)), arguments.width);
 }
 
-int report(const ReportArguments& arguments) {
-    check_output_place(arguments.output, "-o");
+int report(ReportArguments arguments) {
+    arguments.rules.taken = database_files(arguments.choice.database);
+    check_output_place(arguments.output, "-o", Folder::exists, arguments.rules);
     const Store store(arguments.choice.database, Store::Mode::read);
     const std::string page = page_of(store, arguments);
-    write_output_file(arguments.output, "-o", page);
+    write_output_file(arguments.output, "-o", page, arguments.rules);
     spdlog::info("wrote {} ({:.1f} MB)", arguments.output, 1e-6 * static_cast<double>(page.size()));
     return exit_code::success;
 }
@@ -67,6 +69,7 @@ void add_report_command(CLI::App& app, Command& command) {
         ->excludes("--section");
     add_width_option(*sub, arguments->width);
     sub->add_option("-o,--output", arguments->output, "The page")->type_name("PATH")->capture_default_str();
+    add_overwrite_option(*sub, arguments->rules);
     sub->callback([arguments, &command] { command = [arguments] { return report(*arguments); }; });
 }
 

@@ -10,17 +10,21 @@
 
 #include "accuracy/plan.h"
 #include "measures/run.h"
+#include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
 #include "program/interrupt.h"
-#include "program/output_file.h"
+#include "program/output_option.h"
 #include "program/progress_line.h"
 #include "program/refused_sections.h"
+#include "program/run_keeper.h"
 #include "report/ladder_text.h"
 #include "report/table.h"
 #include "report/time_table.h"
+#include "scene/input_files.h"
 #include "scene/scene.h"
 #include "store/store.h"
+#include "store/write_ahead.h"
 
 namespace runout {
 namespace {
@@ -29,12 +33,14 @@ struct RunArguments {
     CaseArguments scenario;
     std::string database = "runout.db";
     std::string refused;
+    OutputRules rules{};
     int frames = 60;
     bool store = true;
     bool json = false;
     bool quiet = false;
     bool pilots = true;
     double budget_s = 3600;
+    int wait_s = 60;
 };
 
 RunResult simulate(const Scene& scene, const RunArguments& arguments, const InterruptWatch& interrupt) {
@@ -50,7 +56,7 @@ RunResult simulate(const Scene& scene, const RunArguments& arguments, const Inte
 
 void print_run(const StoredRun& run, bool json) {
     const std::string text = json ? run_json(run) : run_summary(run);
-    fmt::print("{}{}", text, text.ends_with('\n') ? "" : "\n");
+    (json ? print_json : print_text)(text + (text.ends_with('\n') ? "" : "\n"));
 }
 
 int exit_code_of(const RunResult& result) {
@@ -99,8 +105,29 @@ void log_plan(const RunPlan& plan) {
         spdlog::info("expected to take {} of CPU time", short_duration(plan.appraisal.expected_cpu_s));
 }
 
+/// Where the runs go; nowhere when they are not to be stored. The log is closed last.
+struct RunDatabase {
+    std::optional<WriteAheadLog> log;
+    std::optional<Store> store;
+    std::optional<RunKeeper> keeper;
+
+    explicit RunDatabase(const RunArguments& arguments) {
+        if (!arguments.store) return;
+        log.emplace(arguments.database);
+        store.emplace(arguments.database, Store::Mode::write);
+        keeper.emplace(*store, arguments.database, std::chrono::seconds(arguments.wait_s));
+    }
+    [[nodiscard]] bool is_empty() const { return store && store->runs().empty() && store->studies().empty(); }
+};
+
+void log_place(const StoredRun& run, const RunKeeper& keeper, const std::string& asked) {
+    spdlog::info("stored as run {} in {}", run.run_id, keeper.place());
+    if (keeper.is_elsewhere())
+        spdlog::warn("not in {}; when that is free: runout merge {} {}", asked, asked, keeper.place());
+}
+
 /// Simulates, stores and prints one section, and returns its exit code.
-int run_section(const RunPlan& plan, const RunArguments& arguments, std::optional<Store>& store,
+int run_section(const RunPlan& plan, const RunArguments& arguments, RunDatabase& database,
                 const InterruptWatch& interrupt) {
     log_reading(plan.scene.profile);
     log_plan(plan);
@@ -111,15 +138,18 @@ int run_section(const RunPlan& plan, const RunArguments& arguments, std::optiona
     StoredRun run = describe_run(scene, result, plan.appraisal);
     std::exception_ptr failure;
     try {
-        if (store) run = store->run(store->add(scene, result, plan.appraisal, plan.pilots));
+        if (database.keeper) run = database.keeper->keep({scene, result, plan.appraisal, plan.pilots});
     } catch (...) {
         failure = std::current_exception();  // a full disk must not cost the answer: print it first
     }
     print_run(run, arguments.json);
-    if (!arguments.json) fmt::print("{}", time_table(result.phases));
+    if (!arguments.json) print_text(time_table(result.phases));
     if (failure) std::rethrow_exception(failure);
-    if (store) spdlog::info("stored as run {} in {}", run.run_id, arguments.database);
-    return exit_code_of(result);
+    if (!database.keeper) return exit_code_of(result);
+    log_place(run, *database.keeper, arguments.database);
+    const int code = exit_code_of(result);
+    const bool elsewhere = database.keeper->is_elsewhere() && code != exit_code::interrupted;
+    return elsewhere ? exit_code::stored_elsewhere : code;
 }
 
 /// The plan of a section; none where it is one of many and its accuracy cannot be had.
@@ -138,19 +168,22 @@ std::optional<RunPlan> plan_or_refuse(const Section& section, SectionTally& tall
 
 /// All of them, one after the other.
 int run_sections(const std::vector<Section>& sections, SectionTally& tally, const RunArguments& arguments,
-                 std::optional<Store>& store, const InterruptWatch& interrupt) {
+                 RunDatabase& database, const InterruptWatch& interrupt) {
     int failed = 0;
+    bool elsewhere = false;
     for (std::size_t i = 0; i < sections.size(); ++i) {
         if (tally.many())
             spdlog::info("section {} of {}: {}", i + 1, sections.size(), sections[i].scene.name);
         const std::optional<RunPlan> plan = plan_or_refuse(
-            sections[i], tally, [&] { return plan_of(sections[i], store, arguments, interrupt); });
+            sections[i], tally, [&] { return plan_of(sections[i], database.store, arguments, interrupt); });
         if (!plan) continue;
-        const int code = run_section(*plan, arguments, store, interrupt);
+        const int code = run_section(*plan, arguments, database, interrupt);
         if (code == exit_code::interrupted) return code;
-        if (code != exit_code::success) ++failed;
+        if (code == exit_code::stored_elsewhere) elsewhere = true;
+        if (code == exit_code::not_a_result) ++failed;
     }
     if (failed > 0 && tally.many()) spdlog::warn("{} of {} sections gave no result", failed, sections.size());
+    if (elsewhere) return exit_code::stored_elsewhere;
     return failed > 0 ? exit_code::not_a_result : exit_code::success;
 }
 
@@ -159,19 +192,23 @@ int end_of_many(int code, const SectionTally& tally, const RunArguments& argumen
                 std::optional<Store>& store) {
     if (!tally.many()) return code;
     if (store) store->set_sections(tally.sections());
-    write_refused(arguments.refused, tally.sections().refused);
+    write_refused(arguments.refused, tally.sections().refused, arguments.rules);
     if (!tally.any_refused()) return code;
     if (arguments.json)
         spdlog::error("{}", tally.summary());
     else
-        fmt::print("{}\n", tally.summary());
+        print_text(tally.summary() + "\n");
     return code == exit_code::success ? exit_code::not_a_result : code;
 }
 
-int run(const RunArguments& arguments) {
+int run(RunArguments arguments) {
     if (arguments.quiet) spdlog::set_level(spdlog::level::err);
-    if (!arguments.refused.empty()) check_output_place(arguments.refused, "--refused");
-    const std::vector<SectionCase> cases = section_cases(case_from(arguments.scenario));
+    const CaseSpec whole = case_from(arguments.scenario);
+    arguments.rules.taken = input_files(whole);
+    for (const std::string& file : database_files(arguments.database)) arguments.rules.taken.push_back(file);
+    if (!arguments.refused.empty())
+        check_output_place(arguments.refused, "--refused", Folder::exists, arguments.rules);
+    const std::vector<SectionCase> cases = section_cases(whole);
     SectionTally tally(cases);
     std::vector<Section> sections;
     for (const SectionCase& each : cases)
@@ -180,19 +217,18 @@ int run(const RunArguments& arguments) {
     tally.require_any();
 
     // A database that cannot take the runs is found out now and not after an hour of work.
-    std::optional<Store> store;
     std::error_code ignored;
     const bool existed = std::filesystem::exists(arguments.database, ignored);
-    if (arguments.store) store.emplace(arguments.database, Store::Mode::write);
+    std::optional<RunDatabase> database(std::in_place, arguments);
 
     const InterruptWatch interrupt;
     try {
-        const int code = run_sections(sections, tally, arguments, store, interrupt);
+        const int code = run_sections(sections, tally, arguments, *database, interrupt);
         if (tally.many() && tally.sections().taken.empty()) tally.require_any();
-        return end_of_many(code, tally, arguments, store);
+        return end_of_many(code, tally, arguments, database->store);
     } catch (const InputError&) {  // a target that cannot be met leaves nothing behind
-        const bool empty = store && store->runs().empty();
-        store.reset();
+        const bool empty = database->is_empty();
+        database.reset();
         if (empty && !existed) std::filesystem::remove(arguments.database, ignored);
         throw;
     }
@@ -221,6 +257,14 @@ void add_run_command(CLI::App& app, Command& command) {
         ->check(CLI::PositiveNumber)
         ->capture_default_str()
         ->group("Accuracy");
+    sub->add_option(
+           "--wait", arguments->wait_s,
+           "How long a run that has ended waits for a database that another program holds, before it "
+           "is stored in one beside it")
+        ->type_name("s")
+        ->check(CLI::Range(0, 1'000'000))
+        ->capture_default_str()
+        ->group("Output");
     sub->add_option("--frames", arguments->frames,
                     "Most pictures of the particles to store for the animation of the report; 0 for none")
         ->type_name("number")
@@ -228,6 +272,7 @@ void add_run_command(CLI::App& app, Command& command) {
         ->capture_default_str()
         ->group("Output");
     add_refused_option(*sub, arguments->refused);
+    add_overwrite_option(*sub, arguments->rules);
     sub->add_flag("--json", arguments->json,
                   "Print the answer as one JSON object, one after the other for many sections")
         ->group("Output");

@@ -3,7 +3,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "core/printable.h"
 #include "core/units.h"
+#include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
 #include "scene/scene.h"
@@ -47,7 +49,7 @@ std::string source_json(const Site& site) {
         {"outline", points_json(site.profile, source.outline)},
         {"bed", points_json(site.profile, source.bed)},
     };
-    return object.dump(2);
+    return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 std::string point_text(const Profile& profile, const Vec2& local) {
@@ -63,7 +65,8 @@ std::string points_text(const Profile& profile, const Polyline& local) {
 
 std::string source_text(const Site& site) {
     const auto& [profile, source, assumed] = site;
-    std::string text = fmt::format("Source of type {} on {}\n", to_string(source.type), profile.origin);
+    std::string text =
+        fmt::format("Source of type {} on {}\n", to_string(source.type), printable(profile.origin));
     text += fmt::format("  slope angle    {:.4g} deg\n", degrees(profile.slope_angle));
     text += fmt::format("  area S_0       {:.6g} m2\n", source.area);
     text +=
@@ -82,7 +85,10 @@ int show_source(const SourceArguments& arguments) {
     const Site site = make_site(case_from(arguments.scenario));
     log_reading(site.profile);
     log_assumptions(site.assumed);
-    fmt::print("{}", arguments.json ? source_json(site) + "\n" : source_text(site));
+    if (arguments.json)
+        print_json(source_json(site) + "\n");
+    else
+        print_text(source_text(site));
     return exit_code::success;
 }
 

@@ -8,11 +8,13 @@
 #include <optional>
 
 #include "core/input_error.h"
+#include "program/answer.h"
 #include "program/command.h"
 #include "program/interrupt.h"
 #include "program/jobs_option.h"
 #include "report/stress_table.h"
 #include "store/store.h"
+#include "store/write_ahead.h"
 
 namespace runout {
 namespace {
@@ -72,6 +74,7 @@ int stress(const StressArguments& arguments) {
     if (arguments.quiet) spdlog::set_level(spdlog::level::err);
     std::vector<StressAxis> axes = stress_axes();
     for (const std::string& range : arguments.ranges) narrow(axes, range);
+    const WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
     InterruptWatch interrupt;
     StressOptions options;
@@ -83,7 +86,7 @@ int stress(const StressArguments& arguments) {
     };
     const auto points = stress_points(axes, arguments.scenes, arguments.seed);
     const auto outcomes = run_stress(points, arguments.seed, store, options);
-    fmt::print("{}", stress_table(outcomes, axes));
+    print_text(stress_table(outcomes, axes));
     if (interrupt.requested()) return exit_code::interrupted;
     return std::ranges::all_of(outcomes, is_sound) ? exit_code::success : exit_code::not_a_result;
 }

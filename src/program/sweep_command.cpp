@@ -13,10 +13,12 @@
 #include "accuracy/plan.h"
 #include "accuracy/survey.h"
 #include "core/input_error.h"
+#include "core/printable.h"
+#include "program/answer.h"
 #include "program/command.h"
 #include "program/interrupt.h"
 #include "program/jobs_option.h"
-#include "program/output_file.h"
+#include "program/output_option.h"
 #include "program/progress_line.h"
 #include "program/refused_sections.h"
 #include "program/slurm_job.h"
@@ -26,6 +28,7 @@
 #include "study/run_queue.h"
 #include "study/scenarios.h"
 #include "study/study_file.h"
+#include "study/study_identity.h"
 
 namespace runout {
 namespace {
@@ -39,6 +42,7 @@ struct SweepArguments {
     std::string database = "sweep.db";
     std::string shard;
     std::string refused;
+    OutputRules rules{};
     int jobs = default_jobs();
     bool dry_run = false;
     bool slurm = false;
@@ -128,11 +132,12 @@ std::vector<CostSample> costs_in(const std::string& database) {
 int tell_price(const SweepArguments& arguments, const Study& study, const ScenarioList& scenarios) {
     const Price price = price_of(scenarios, costs_in(arguments.database));
     const double all = price.seconds * static_cast<double>(scenarios.size());
-    fmt::print("{}: {} scenarios, about {:.2g} s of CPU time each, {} in all with {} at a time\n", study.name,
-               scenarios.size(), price.seconds, duration_text(all / arguments.jobs), arguments.jobs);
+    print_text(fmt::format("{}: {} scenarios, about {:.2g} s of CPU time each, {} in all with {} at a time\n",
+                           printable(study.name), scenarios.size(), price.seconds,
+                           duration_text(all / arguments.jobs), arguments.jobs));
     if (price.refused > 0)
-        fmt::print("{} of {} scenarios looked at are refused, the first because of {}\n", price.refused,
-                   price.looked_at, price.refusal);
+        print_text(fmt::format("{} of {} scenarios looked at are refused, the first because of {}\n",
+                               price.refused, price.looked_at, price.refusal));
     return exit_code::success;
 }
 
@@ -243,9 +248,9 @@ class SweepLog {
 
 int run_sweep(const SweepArguments& arguments, const Study& study, const ScenarioList& scenarios,
               const Shard& shard) {
-    const WriteAheadLog log_of_writes(arguments.database);
+    WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
-    const long study_id = store.begin_study(study.name, study.text);
+    const long study_id = store.begin_study(study.name, study_identity(study));
     const InterruptWatch interrupt;
     RunQueue queue;
     queue.first = shard.index;
@@ -259,15 +264,22 @@ int run_sweep(const SweepArguments& arguments, const Study& study, const Scenari
     const std::size_t total =
         scenarios.size() > shard.index ? (scenarios.size() - shard.index - 1) / shard.count + 1 : 0;
     SweepLog log(scenarios, store, study_id, total, arguments.quiet);
-    queue.on_event = [&](const QueueEvent& event) { log.take(event); };
+    queue.on_event = [&](const QueueEvent& event) {
+        log.take(event);
+        log_of_writes.checkpoint_now_and_then();
+    };
+    queue.on_wait = [&] {
+        spdlog::warn("{} is in use by another program; a run that has ended waits for it",
+                     arguments.database);
+    };
     run_queue(queue, store);
     log.flush();
     log.sections().store_in(store);
     fmt::print("{}\n", log.summary());
     const std::vector<RefusedSection> refused = log.sections().refused();
-    write_refused(arguments.refused, refused);
+    write_refused(arguments.refused, refused, arguments.rules);
     if (!refused.empty())
-        fmt::print("sections: {}\n", good_and_refused(log.sections().good(), refused.size()));
+        print_text(fmt::format("sections: {}\n", good_and_refused(log.sections().good(), refused.size())));
     if (!log.complete()) {
         spdlog::warn("stopped; what has ended is in {}, and the same command goes on", arguments.database);
         return exit_code::interrupted;
@@ -275,11 +287,14 @@ int run_sweep(const SweepArguments& arguments, const Study& study, const Scenari
     return log.has_failures() ? exit_code::not_a_result : exit_code::success;
 }
 
-int sweep(const SweepArguments& arguments) {
+int sweep(SweepArguments arguments) {
     if (arguments.quiet) spdlog::set_level(spdlog::level::err);
-    if (!arguments.refused.empty()) check_output_place(arguments.refused, "--refused");
     const Shard shard = shard_of(arguments.shard);
     const Study study = read_study(arguments.study);
+    arguments.rules.taken = database_files(arguments.database);
+    for (const std::string& file : {study.file, study.case_file}) arguments.rules.taken.push_back(file);
+    if (!arguments.refused.empty())
+        check_output_place(arguments.refused, "--refused", Folder::exists, arguments.rules);
     check_size(study, arguments.yes || arguments.dry_run);
     const ScenarioList scenarios(study);
     if (arguments.dry_run) return tell_price(arguments, study, scenarios);
@@ -313,6 +328,7 @@ void add_sweep_command(CLI::App& app, Command& command) {
                   "Print a Slurm job array in as many parts as --shard 0/n says; give it to sbatch");
     sub->add_flag("--series", arguments->series, "Store the series of each run too, as `runout run` does");
     add_refused_option(*sub, arguments->refused);
+    add_overwrite_option(*sub, arguments->rules);
     sub->add_flag("--yes", arguments->yes, "Run more than 100,000 combinations");
     sub->add_flag("--quiet", arguments->quiet, "No progress, no log but errors");
     sub->callback([arguments, &command] { command = [arguments] { return sweep(*arguments); }; });

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/input_error.h"
+#include "program/answer.h"
 #include "program/command.h"
 #include "program/study_choice.h"
 #include "report/run_out_table.h"
@@ -43,14 +44,16 @@ int show_study(const TableArguments& arguments) {
     const RunOutTableFormat format = format_of(arguments.format, study_formats);
     const Store store(arguments.database, Store::Mode::read);
     const StoredStudy study = chosen_study(store, arguments.database, arguments.study);
-    fmt::print("{}", run_out_table(study.name, store.study_rows(study.study_id), arguments.layout, format));
+    const std::string table =
+        run_out_table(study.name, store.study_rows(study.study_id), arguments.layout, format);
+    (format == RunOutTableFormat::json ? print_json : print_text)(table);
     return exit_code::success;
 }
 
 int show_runs(const TableArguments& arguments) {
     const TableFormat format = format_of(arguments.format, list_formats);
     const std::string table = run_table(Store(arguments.database, Store::Mode::read).runs(), format);
-    fmt::print("{}{}", table, table.ends_with('\n') ? "" : "\n");
+    (format == TableFormat::json ? print_json : print_text)(table + (table.ends_with('\n') ? "" : "\n"));
     return exit_code::success;
 }
 

@@ -3,15 +3,19 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "core/input_error.h"
+#include "core/output_folder.h"
+#include "core/printable.h"
+#include "program/answer.h"
 #include "program/command.h"
 #include "program/interrupt.h"
 #include "program/jobs_option.h"
+#include "program/output_option.h"
 #include "report/validation_page.h"
 #include "store/store.h"
+#include "store/write_ahead.h"
 #include "validation/run_suite.h"
 #include "validation/suite.h"
 
@@ -25,6 +29,7 @@ struct ValidateArguments {
     std::string cases = "cases";
     std::string database = "validation.db";
     std::string page;
+    OutputRules rules{};
     int jobs = default_jobs();
     bool quick = false;
     bool quiet = false;
@@ -57,37 +62,46 @@ std::vector<ValidationCase> chosen_cases(const std::vector<std::string>& names) 
     return chosen;
 }
 
+/// The folder of the pictures of a page: of its name, beside it.
+fs::path pictures_of(const fs::path& page) {
+    return page.parent_path() / page.stem();
+}
+
+/// The databases and the files of the cases are not to be written over.
+OutputRules rules_of(const ValidateArguments& arguments) {
+    OutputRules rules = arguments.rules;
+    rules.taken = database_files(arguments.database);
+    std::error_code none_there;
+    for (const auto& entry : fs::recursive_directory_iterator(arguments.cases, none_there))
+        if (entry.is_regular_file()) rules.taken.push_back(entry.path().string());
+    return rules;
+}
+
 /// What would only be found out after all runs.
 void check_places(const ValidateArguments& arguments) {
     if (!fs::is_directory(arguments.cases))
         throw InputError(argument("--cases", arguments.cases), "is not a folder",
                          "give the folder of cases that comes with the program");
     if (arguments.page.empty()) return;
-    const fs::path folder = fs::absolute(arguments.page).parent_path();
-    if (!fs::is_directory(folder))
-        throw InputError(argument("--output", arguments.page), "lies in a folder that does not exist",
-                         "make " + folder.string());
-}
-
-void write_file(const fs::path& path, const std::string& text) {
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file)
-        throw InputError(argument("--output", path.string()), "cannot be written",
-                         "check permissions and free space");
+    check_output_place(arguments.page, "--output", Folder::exists, arguments.rules);
+    std::error_code none_there;
+    for (const auto& entry : fs::directory_iterator(pictures_of(arguments.page), none_there))
+        if (entry.path().extension() == ".svg")
+            check_output_place(entry.path().string(), "--output", Folder::exists, arguments.rules);
 }
 
 /// The page and, in a folder of its name beside it, the pictures.
 void write_page(const std::vector<CaseReport>& reports, const ValidateArguments& arguments) {
     const fs::path page(arguments.page);
-    const fs::path pictures = page.parent_path() / page.stem();
-    fs::create_directories(pictures);
-    for (const auto& [name, picture] : validation_pictures(reports)) write_file(pictures / name, picture);
+    const fs::path pictures = pictures_of(page);
+    make_output_folder(pictures.string(), "--output");
+    for (const auto& [name, picture] : validation_pictures(reports))
+        write_output_file((pictures / file_name_part(name)).string(), "--output", picture, arguments.rules);
     const std::string command = fmt::format(
         "runout validate{}{} --output {}", arguments.quick ? " --quick" : "",
         arguments.names.empty() ? "" : fmt::format(" {}", fmt::join(arguments.names, " ")), arguments.page);
-    write_file(page, validation_page(reports, command, page.stem().string()));
+    write_output_file(arguments.page, "--output", validation_page(reports, command, page.stem().string()),
+                      arguments.rules);
 }
 
 bool all_within_bands(const std::vector<CaseReport>& reports) {
@@ -95,10 +109,12 @@ bool all_within_bands(const std::vector<CaseReport>& reports) {
         reports, [](const CaseReport& report) { return std::ranges::all_of(report.entries, within_band); });
 }
 
-int validate(const ValidateArguments& arguments) {
+int validate(ValidateArguments arguments) {
     if (arguments.quiet) spdlog::set_level(spdlog::level::err);
     const std::vector<ValidationCase> cases = chosen_cases(arguments.names);
+    arguments.rules = rules_of(arguments);
     check_places(arguments);
+    const WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
     InterruptWatch interrupt;
     SuiteOptions options;
@@ -114,7 +130,7 @@ int validate(const ValidateArguments& arguments) {
         spdlog::warn("interrupted; finished runs are in {} and will not be repeated", arguments.database);
         return exit_code::interrupted;
     }
-    fmt::print("{}", validation_table(reports));
+    print_text(validation_table(reports));
     if (!arguments.page.empty()) write_page(reports, arguments);
     return all_within_bands(reports) ? exit_code::success : exit_code::not_a_result;
 }
@@ -136,6 +152,7 @@ void add_validate_command(CLI::App& app, Command& command) {
         ->capture_default_str();
     sub->add_option("-o,--output", arguments->page, "Write a Markdown page, with pictures beside it")
         ->type_name("PATH");
+    add_overwrite_option(*sub, arguments->rules);
     add_jobs_option(*sub, arguments->jobs);
     sub->add_flag("--quiet", arguments->quiet, "No log but errors");
     sub->callback([arguments, &command] { command = [arguments] { return validate(*arguments); }; });

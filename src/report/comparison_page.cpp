@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/printable.h"
 #include "core/units.h"
 #include "report/comparison.h"
 #include "report/html.h"
@@ -140,8 +141,9 @@ PageSection comparison_section(const RunData& run, const Comparison& comparison)
 }
 
 std::string comparison_text(const RunData& run, const Comparison& comparison) {
-    std::string text = fmt::format("run {}, {}\n{}\n{}\n{}\n\n", run.run.run_id, run_title(run.run),
-                                   slide_words(run, comparison), error_words(run), scatter_words());
+    std::string text =
+        fmt::format("run {}, {}\n{}\n{}\n{}\n\n", run.run.run_id, printable(run_title(run.run)),
+                    slide_words(run, comparison), error_words(run), scatter_words());
     text += fmt::format("{:<48} {:>6} {:>7} {:>18}\n", "relation", "H/L", "angle", "run-out, m");
     std::string refused;
     for (std::size_t k = 0; k < comparison.estimates.size(); ++k) {

@@ -176,7 +176,7 @@ std::string estimate_json(const RunOutChart& chart, const Estimate& estimate,
     object["nearest_run"] = {{"run_id", estimate.nearest.run_id},
                              {"run_out_normalised", estimate.nearest.run_out},
                              {"at", place_json(estimate.nearest.place)}};
-    return object.dump(2) + "\n";
+    return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string held_out_text(const HeldOutCheck& check) {
@@ -196,7 +196,7 @@ std::string held_out_json(const HeldOutCheck& check) {
     const Json object = {{"estimated", check.estimated}, {"refused", check.refused},
                          {"within_68", check.within_68}, {"within_95", check.within_95},
                          {"error_rms", check.error_rms}, {"left_out_error_rms", check.left_out_error_rms}};
-    return object.dump(2) + "\n";
+    return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace runout

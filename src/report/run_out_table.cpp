@@ -9,6 +9,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/csv_cell.h"
+#include "core/printable.h"
 #include "report/reach_probability.h"
 #include "report/sensitivity.h"
 #include "report/study_layout.h"
@@ -43,10 +45,10 @@ using Grid = std::vector<std::vector<std::string>>;
 Grid grid_of(const std::vector<StudyEntry>& entries, const StudyLayout& layout) {
     const StudyCells cells = cells_of(entries, layout);
     const StudyLabels rows = labels_of(entries, layout.rows), columns = labels_of(entries, layout.columns);
-    Grid grid(1, {fmt::format("{} \\ {}", layout.rows, layout.columns)});
-    grid[0].insert(grid[0].end(), columns.begin(), columns.end());
+    Grid grid(1, {printable(fmt::format("{} \\ {}", layout.rows, layout.columns))});
+    for (const std::string& column : columns) grid[0].push_back(printable(column));
     for (const std::string& row : rows) {
-        std::vector<std::string>& line = grid.emplace_back(1, row);
+        std::vector<std::string>& line = grid.emplace_back(1, printable(row));
         for (const std::string& column : columns) {
             const auto cell = cells.find({row, column});
             line.push_back(cell == cells.end() ? "-" : cell_text(cell->second));
@@ -145,7 +147,7 @@ std::string below(const std::vector<StudyEntry>& entries, const RunOutTableOptio
             reached.distance_m, reached.probability.value, reached.probability.standard_error);
     for (const Sensitivity& one : sensitivities(varied_numbers(entries), run_outs(entries))) {
         if (!std::isfinite(one.rank_correlation)) continue;
-        text += fmt::format("{}{}: rank correlation with the run-out {:.2f}", item, one.name,
+        text += fmt::format("{}{}: rank correlation with the run-out {:.2f}", item, printable(one.name),
                             one.rank_correlation);
         if (std::isfinite(one.first_order))
             text += fmt::format(", share of its variance {:.2f} (first-order Sobol index, {} classes)",
@@ -156,7 +158,8 @@ std::string below(const std::vector<StudyEntry>& entries, const RunOutTableOptio
     if (!failed.empty())
         text += fmt::format("\n{} of {} scenarios gave no result:\n", failed.size(), entries.size());
     for (const StudyRow* row : failed)
-        text += fmt::format("{}{} {}: {}\n", item, row->scenario.index, row->scenario.inputs, why_not(*row));
+        text += fmt::format("{}{} {}: {}\n", item, row->scenario.index, printable(row->scenario.inputs),
+                            printable(why_not(*row)));
     return text;
 }
 
@@ -166,7 +169,7 @@ std::string page(const std::string& study, const std::vector<StudyEntry>& entrie
     bool many = false;
     for (const auto& [place, cell] : cells_of(entries, layout)) many = many || cell.runs.size() > 1;
     std::string text =
-        fmt::format("{}Run-out of {} past the toe, m{}\n\n", markdown ? "# " : "", study,
+        fmt::format("{}Run-out of {} past the toe, m{}\n\n", markdown ? "# " : "", printable(study),
                     many ? ": distances that 50 / 16 / 2 % of the scenarios reach or pass"
                          : ", with its numerical error (95 %) where it is known, and the reach angle");
     text += aligned(grid_of(entries, layout), markdown);
@@ -227,14 +230,7 @@ std::string table_json(const std::string& study, const std::vector<StudyEntry>& 
         object["without_result"].push_back({{"scenario", row->scenario.index},
                                             {"inputs", Json::parse(row->scenario.inputs)},
                                             {"reason", why_not(*row)}});
-    return object.dump(2) + "\n";
-}
-
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return result + "\"";
+    return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 /// One line a cell.
@@ -244,14 +240,15 @@ std::string table_csv(const std::vector<StudyEntry>& entries, const RunOutTableO
         "{},{},scenarios,run_out_m,run_out_error_m,reach_angle_deg,reach_angle_error_deg,run_out_50_percent_"
         "m,"
         "run_out_16_percent_m,run_out_2_percent_m\n",
-        layout.rows, layout.columns);
+        csv_cell(layout.rows), csv_cell(layout.columns));
     for (const Json& cell : cells_json(entries, layout)) {
         std::vector<std::string> fields;
         for (const auto& [name, value] : cell.items()) {
             if (value.is_string())
-                fields.push_back(quoted(value.get<std::string>()));
+                fields.push_back(csv_cell(value.get<std::string>()));
             else
-                fields.push_back(value.is_null() ? "" : value.dump());
+                fields.push_back(
+                    value.is_null() ? "" : value.dump(-1, ' ', false, Json::error_handler_t::replace));
         }
         text += fmt::format("{}\n", fmt::join(fields, ","));
     }

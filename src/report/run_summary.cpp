@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/printable.h"
 #include "report/table.h"
 
 namespace runout {
@@ -13,7 +14,7 @@ namespace {
 constexpr double coarse_particles_along_root_area = 20;
 
 std::string title(const StoredRun& run) {
-    return run.name.empty() ? run.section_origin : run.name;
+    return printable(run.name.empty() ? run.section_origin : run.name);
 }
 
 std::string duration(double seconds) {
@@ -82,12 +83,13 @@ std::string source_line(const StoredRun& run) {
 
 std::string gauge_line(const GaugeRecord& gauge) {
     if (std::isnan(gauge.arrival_time_s))
-        return fmt::format("Gauge {} at chainage {:.5g} m: nothing arrives.\n", gauge.name, gauge.chainage_m);
+        return fmt::format("Gauge {} at chainage {:.5g} m: nothing arrives.\n", printable(gauge.name),
+                           gauge.chainage_m);
     return fmt::format(
         "Gauge {} at chainage {:.5g} m: arrival after {:.3g} s, up to {:.3g} m thick, {:.3g} m/s, kinetic "
         "head "
         "{:.3g} m; {:.4g} m2 pass.\n",
-        gauge.name, gauge.chainage_m, gauge.arrival_time_s, gauge.greatest_thickness_m,
+        printable(gauge.name), gauge.chainage_m, gauge.arrival_time_s, gauge.greatest_thickness_m,
         gauge.greatest_speed_m_s, gauge.greatest_kinetic_head_m, gauge.passed_area_m2);
 }
 
@@ -111,7 +113,7 @@ std::string effects_line(const StoredRun& run) {
     std::string on, off;
     for (const EffectRow& effect : run.effects) {
         std::string& list = effect.on ? on : off;
-        list += (list.empty() ? "" : ", ") + effect.name;
+        list += (list.empty() ? "" : ", ") + printable(effect.name);
         if (effect.on && std::isfinite(effect.cost_s)) list += " (" + duration(effect.cost_s) + ")";
     }
     return fmt::format("Effects on: {}. Off: {}.\n", on.empty() ? "none" : on, off.empty() ? "none" : off);
@@ -124,7 +126,7 @@ std::string effect_lines(const StoredRun& run) {
     if (std::isfinite(run.measures.eroded_area_m2))
         text += fmt::format("{:.4g} m2 of the bed were carried along.\n", run.measures.eroded_area_m2);
     text += effects_line(run);
-    for (const std::string& sentence : run.advice) text += "Advice: " + sentence + "\n";
+    for (const std::string& sentence : run.advice) text += "Advice: " + printable(sentence) + "\n";
     return text;
 }
 
@@ -148,7 +150,7 @@ std::string resolution_line(const StoredRun& run) {
 }
 
 std::string failed_lines(const StoredRun& run) {
-    const std::string detail = run.status_detail.empty() ? "" : " (" + run.status_detail + ")";
+    const std::string detail = run.status_detail.empty() ? "" : " (" + printable(run.status_detail) + ")";
     return fmt::format("{}: no result: {}{}.\n", title(run), status_reason(run.status), detail) +
            work_line(run);
 }

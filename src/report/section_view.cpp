@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/printable.h"
 #include "core/units.h"
 
 namespace runout {
@@ -139,8 +140,8 @@ Polyline discontinuity_line(const Source& source) {
 std::string section_text(const SectionView& view) {
     const Profile& profile = view.profile;
     const Vec2& crest = profile.ground[profile.crest];
-    std::string text = fmt::format("{}\n", profile.origin);
-    if (!profile.read_as.empty()) text += fmt::format("  {}\n", profile.read_as);
+    std::string text = fmt::format("{}\n", printable(profile.origin));
+    if (!profile.read_as.empty()) text += fmt::format("  {}\n", printable(profile.read_as));
     text += fmt::format("  length         {:.6g} m, {} points\n",
                         profile.ground.back().x() - profile.ground.front().x(), profile.ground.size());
     text += fmt::format("  toe            {}, {}\n", point_text(profile, profile.ground[profile.toe]),

@@ -8,28 +8,22 @@
 #include <functional>
 #include <type_traits>
 
+#include "core/csv_cell.h"
+#include "core/printable.h"
 #include "report/run_columns.h"
 #include "report/run_json.h"
 
 namespace runout {
 namespace {
 
-// Quotes only where the text would otherwise break the line up (RFC 4180).
-std::string csv_text(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-    return quoted + "\"";
-}
-
-std::string csv_cell(const Cell& cell) {
+std::string cell_text(const Cell& cell) {
     return std::visit(
         [](const auto& value) -> std::string {
             using Value = std::decay_t<decltype(value)>;
             if constexpr (std::is_same_v<Value, std::monostate>)
                 return {};
             else if constexpr (std::is_same_v<Value, std::string>)
-                return csv_text(value);
+                return csv_cell(value);
             else
                 return fmt::format("{}", value);  // shortest text that reads back as the same number
         },
@@ -38,11 +32,12 @@ std::string csv_cell(const Cell& cell) {
 
 std::string csv_table(const std::vector<StoredRun>& runs) {
     std::string header;
-    for (const RunColumn& column : run_columns({})) header += (header.empty() ? "" : ",") + column.name;
+    for (const RunColumn& column : run_columns({}))
+        header += fmt::format("{}{}", header.empty() ? "" : ",", csv_cell(column.name));
     std::string text = header + "\n";
     for (const StoredRun& run : runs) {
         std::string line;
-        for (const RunColumn& column : run_columns(run)) line += csv_cell(column.value) + ",";
+        for (const RunColumn& column : run_columns(run)) line += cell_text(column.value) + ",";
         line.back() = '\n';
         text += line;
     }
@@ -138,7 +133,7 @@ std::string reasons(const std::vector<StoredRun>& runs) {
     for (const StoredRun& run : runs)
         if (!is_result(run.status))
             text += fmt::format("run {}: no result: {}{}{}\n", run.run_id, to_string(run.status),
-                                run.status_detail.empty() ? "" : ", ", run.status_detail);
+                                run.status_detail.empty() ? "" : ", ", printable(run.status_detail));
     return text.empty() ? text : "\n" + text;
 }
 
@@ -151,7 +146,7 @@ std::string text_table(const std::vector<StoredRun>& runs) {
     }
     for (const StoredRun& run : runs) {
         Line& line = lines.emplace_back();
-        for (const TextColumn& column : text_columns()) line.push_back(column.cell(run));
+        for (const TextColumn& column : text_columns()) line.push_back(printable(column.cell(run)));
     }
     return aligned(lines) + reasons(runs);
 }

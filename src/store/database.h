@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace SQLite {
 class Database;
@@ -18,6 +19,10 @@ std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path);
 /// Throws InputError and leaves the disk as it was: not a Runout database, a newer version, an unwritable
 /// place.
 std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path);
+
+/// Reads the whole of a results database, so that damage is said before any of it is used, and returns what
+/// it holds beside the format. Throws InputError.
+std::vector<std::string> check_whole(const std::string& path);
 
 /// Throws the InputError that says what the file or the disk does not allow. An error that is nobody's input,
 /// such as a violated constraint, is thrown on as it is.

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "store/columns.h"
+#include "store/known_tables.h"
 
 namespace runout {
 namespace {
@@ -37,6 +38,16 @@ std::vector<Code> codes_of(const SQLite::Column& column) {
     std::vector<Code> codes(static_cast<std::size_t>(column.getBytes()) / sizeof(Code));
     if (!codes.empty()) std::memcpy(codes.data(), column.getBlob(), codes.size() * sizeof(Code));
     return codes;
+}
+
+/// A particle has one place in each array of each picture.
+void check_frames(const std::vector<Frame>& frames, long run_id) {
+    for (const Frame& frame : frames) {
+        const std::size_t count = frames.front().x.size();
+        if (frame.x.size() != count || frame.y.size() != count || frame.speed.size() != count ||
+            frame.pressure.size() != count)
+            throw DamagedData(fmt::format("has pictures of run {} with parts missing", run_id));
+    }
 }
 
 }  // namespace
@@ -78,6 +89,7 @@ std::vector<Frame> select_frames(SQLite::Database& database, long run_id) {
         frame.speed = codes_of<std::uint8_t>(statement.getColumn(place++));
         frame.pressure = codes_of<std::uint8_t>(statement.getColumn(place++));
     }
+    check_frames(frames, run_id);
     return frames;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/input_error.h"
+#include "store/known_tables.h"
 
 namespace runout {
 namespace {
@@ -19,24 +20,8 @@ using SQLite::Database;
 using SQLite::Statement;
 using Names = std::vector<std::string>;
 
-Names columns_of(Database& database, const std::string& table) {
-    Statement statement(database,
-                        fmt::format("SELECT name FROM pragma_table_info('{}') ORDER BY cid", table));
-    Names names;
-    while (statement.executeStep()) names.push_back(statement.getColumn(0).getString());
-    return names;
-}
-
-Names tables_with(Database& database, const std::string& column) {
-    Statement statement(
-        database,
-        "SELECT tables.name FROM main.sqlite_schema AS tables WHERE tables.type = 'table' AND EXISTS"
-        " (SELECT 1 FROM pragma_table_info(tables.name) AS columns WHERE columns.name = ?)"
-        " ORDER BY tables.name");
-    statement.bind(1, column);
-    Names names;
-    while (statement.executeStep()) names.push_back(statement.getColumn(0).getString());
-    return names;
+Names columns_of(const std::string& table) {
+    return known_table(table).columns;
 }
 
 /// A table whose rows are known by a hash, whatever their ids in two databases.
@@ -64,7 +49,7 @@ Names without(Names names, const std::string& name) {
 
 /// Rows that are missing, and where each row of the shard is here: temp.<id>_map (old, new).
 void merge_hashed(Database& database, const Hashed& what) {
-    const Names columns = without(columns_of(database, what.table), what.id);
+    const Names columns = without(columns_of(what.table), what.id);
     database.exec(fmt::format(
         "INSERT OR IGNORE INTO main.{0} ({1}) SELECT {2} FROM shard.{0} ORDER BY shard.{0}.{3}", what.table,
         fmt::join(columns, ", "), fmt::join(selected(what.table, columns, what.references), ", "), what.id));
@@ -77,13 +62,13 @@ void merge_hashed(Database& database, const Hashed& what) {
 
 /// Rows that hang on a hashed row; those that are here are the same, because the hash covers them.
 void merge_parts(Database& database, const std::string& table, const std::string& id) {
-    const Names columns = columns_of(database, table);
+    const Names columns = columns_of(table);
     database.exec(fmt::format("INSERT OR IGNORE INTO main.{0} ({1}) SELECT {2} FROM shard.{0}", table,
                               fmt::join(columns, ", "), fmt::join(selected(table, columns, {id}), ", ")));
 }
 
 void refuse_conflicts(Database& database, const std::string& from) {
-    const Names columns = without(columns_of(database, "measure"), "run_id");
+    const Names columns = without(columns_of("measure"), "run_id");
     Names differences = {"theirs.status IS NOT ours.status"};
     for (const std::string& column : columns)
         differences.push_back(fmt::format("their_measure.{0} IS NOT our_measure.{0}", column));
@@ -114,7 +99,7 @@ void list_candidates(Database& database) {
 }
 
 void add_runs(Database& database) {
-    const Names columns = without(columns_of(database, "run"), "run_id");
+    const Names columns = without(columns_of("run"), "run_id");
     database.exec("CREATE TEMP TABLE run_id_map (old INTEGER PRIMARY KEY, new INTEGER)");
     Statement insert(database,
                      fmt::format("INSERT INTO main.run ({}) SELECT {} FROM shard.run WHERE run_id = ?",
@@ -131,9 +116,8 @@ void add_runs(Database& database) {
         note.exec();
         note.reset();
     }
-    for (const std::string& table : tables_with(database, "run_id")) {
-        if (table == "run" || table == "ladder_run") continue;
-        const Names own = columns_of(database, table);
+    for (const auto& [table, own] : known_tables()) {
+        if (table == "run" || table == "ladder_run" || !known_table(table).has("run_id")) continue;
         database.exec(
             fmt::format("INSERT INTO main.{0} ({1}) SELECT {2} FROM shard.{0}"
                         " WHERE run_id IN (SELECT old FROM temp.run_id_map)",
@@ -146,8 +130,11 @@ void merge_studies(Database& database, const std::string& from) {
                     "SELECT theirs.name FROM shard.study AS theirs JOIN main.study AS ours USING (name)"
                     " WHERE theirs.text <> ours.text LIMIT 1");
     if (clash.executeStep())
-        throw InputError({.file = from, .line = 0, .key = "study", .value = clash.getColumn(0).getString()},
-                         "asks something else than the study of that name here", "merge parts of one study");
+        throw InputError(
+            {.file = from, .line = 0, .key = "study", .value = clash.getColumn(0).getString()},
+            "asks something else than the study of that name here (its file, or a file that it names, was "
+            "another)",
+            "merge parts of one study");
     database.exec(
         "INSERT OR IGNORE INTO main.study (name, text) SELECT name, text FROM shard.study ORDER BY study_id;"
         "INSERT OR REPLACE INTO main.study_scenario (study_id, scenario_index, scenario_hash, inputs, "
@@ -158,7 +145,7 @@ void merge_studies(Database& database, const std::string& from) {
 }
 
 void merge_refused_sections(Database& database) {
-    const Names columns = columns_of(database, "refused_section");
+    const Names columns = columns_of("refused_section");
     database.exec(fmt::format(
         "INSERT OR REPLACE INTO main.refused_section ({}) SELECT {} FROM shard.refused_section",
         fmt::join(columns, ", "), fmt::join(selected("refused_section", columns, {"line_id"}), ", ")));
@@ -184,9 +171,10 @@ MergeCounts merge_attached(Database& database, const std::string& from) {
     add_runs(database);
     merge_studies(database, from);
     merge_refused_sections(database);
-    const MergeCounts counts{
-        count(database, "temp.run_id_map"), count(database, "temp.candidate WHERE known IS NOT NULL"),
-        count(database, "shard.run WHERE status = 'interrupted'"), count(database, "shard.study")};
+    const MergeCounts counts{.runs_added = count(database, "temp.run_id_map"),
+                             .runs_known = count(database, "temp.candidate WHERE known IS NOT NULL"),
+                             .interrupted = count(database, "shard.run WHERE status = 'interrupted'"),
+                             .studies = count(database, "shard.study")};
     for (const char* table :
          {"section_id_map", "source_id_map", "scenario_id_map", "line_id_map", "candidate", "run_id_map"})
         database.exec(fmt::format("DROP TABLE temp.{}", table));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace SQLite {
 class Database;
@@ -14,6 +15,9 @@ struct MergeCounts {
     long runs_known = 0;   ///< the database had the same result of the same scenario
     long interrupted = 0;  ///< left out
     long studies = 0;
+    std::vector<std::string> foreign{};  ///< "table notes": not ours, left where it is
+    bool lacks_log =
+        false;  ///< the file says that a -wal belongs to it, and none is there: runs may be missing
 };
 
 /// Copies into `database` what it lacks of the results database at `from`: the latest run of each scenario

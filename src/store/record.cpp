@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <string>
 
 #include "core/units.h"
+#include "store/known_tables.h"
 #include "store/schema_comments.h"
 
 namespace runout {
@@ -45,8 +45,9 @@ std::string comment_on(const std::string& table, const std::string& column) {
     return found == comments.end() ? "" : found->second;
 }
 
-std::vector<std::string> words(Database& database, const std::string& sql) {
+std::vector<std::string> words(Database& database, const std::string& sql, const std::string& value) {
     Statement statement(database, sql);
+    statement.bind(1, value);
     std::vector<std::string> found;
     while (statement.executeStep()) found.push_back(statement.getColumn(0).getString());
     return found;
@@ -69,14 +70,25 @@ std::vector<Vec2> source_points(Database& database, const char* part, long sourc
                   source_id);
 }
 
+/// What everything that draws a section relies on.
+void check_geometry(const SectionGeometry& geometry, long run_id) {
+    const Profile& profile = geometry.profile;
+    const std::size_t count = profile.ground.size();
+    if (count < 2 || profile.crest >= count || profile.toe >= count)
+        throw DamagedData(fmt::format("has no ground for the toe and the crest of run {}", run_id));
+    if (geometry.outline.size() < 3 || geometry.bed.size() < 2)
+        throw DamagedData(fmt::format("has no source for run {}", run_id));
+}
+
 StoredTable rows_of(Database& database, const std::string& table, long run_id) {
     StoredTable found{table, {}, {}, {}};
     const auto& meanings = schema_comments().tables;
     if (const auto meaning = meanings.find(table); meaning != meanings.end()) found.meaning = meaning->second;
-    found.columns =
-        words(database, fmt::format("SELECT name FROM pragma_table_info('{}') WHERE type <> 'BLOB'"
-                                    " AND name NOT IN ('run_id', 'row_index')",
-                                    table));
+    found.columns = words(database,
+                          "SELECT name FROM pragma_table_info(?) WHERE type <> 'BLOB'"
+                          " AND name NOT IN ('run_id', 'row_index')",
+                          table);
+    std::erase_if(found.columns, [&](const std::string& name) { return !known_table(table).has(name); });
     if (found.columns.empty()) return found;
     Statement statement(
         database, fmt::format("SELECT {} FROM {} WHERE run_id = ?", fmt::join(found.columns, ", "), table));
@@ -98,7 +110,8 @@ SectionGeometry select_geometry(Database& database, long run_id) {
                               " WHERE run.run_id = ?",
                               joined_rows));
     statement.bind(1, run_id);
-    if (!statement.executeStep()) throw std::runtime_error(fmt::format("no run {}", run_id));
+    if (!statement.executeStep())
+        throw DamagedData(fmt::format("has no scenario, source or section for run {}", run_id));
     const auto real = [&](int column) { return statement.getColumn(column).getDouble(); };
     SectionGeometry geometry;
     geometry.section_id = statement.getColumn(0).getInt64();
@@ -117,6 +130,7 @@ SectionGeometry select_geometry(Database& database, long run_id) {
                geometry.section_id);
     geometry.outline = source_points(database, "outline", source_id);
     geometry.bed = source_points(database, "bed", source_id);
+    check_geometry(geometry, run_id);
     return geometry;
 }
 
@@ -126,7 +140,8 @@ std::vector<StoredFact> select_facts(Database& database, long run_id) {
         Statement statement(database,
                             fmt::format("SELECT {}.* FROM {} WHERE run.run_id = ?", table, joined_rows));
         statement.bind(1, run_id);
-        if (!statement.executeStep()) throw std::runtime_error(fmt::format("no run {}", run_id));
+        if (!statement.executeStep())
+            throw DamagedData(fmt::format("has no scenario, source or section for run {}", run_id));
         for (int i = 0; i < statement.getColumnCount(); ++i) {
             const std::string column = statement.getColumnName(i);
             if (column.ends_with("_id") || column.ends_with("_index")) continue;
@@ -138,10 +153,8 @@ std::vector<StoredFact> select_facts(Database& database, long run_id) {
 
 std::vector<StoredTable> select_further_tables(Database& database, long run_id) {
     std::vector<StoredTable> tables;
-    for (const std::string& name :
-         words(database,
-               "SELECT t.name FROM pragma_table_list t JOIN pragma_table_info(t.name) c"
-               " WHERE t.type = 'table' AND c.name = 'run_id' ORDER BY t.name")) {
+    for (const auto& [name, columns] : known_tables()) {
+        if (!known_table(name).has("run_id")) continue;
         if (is_among(described_tables, name) || is_among(read_elsewhere, name)) continue;
         StoredTable table = rows_of(database, name, run_id);
         if (!table.rows.empty()) tables.push_back(std::move(table));

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "store/known_tables.h"
 #include "store/scenario_hash.h"
 
 namespace runout {
@@ -113,17 +114,21 @@ Polyline section_points(Database& database, const std::string& query, long run_i
 
 constexpr const char* from_run = " FROM run JOIN scenario USING (scenario_id) JOIN source USING (source_id) ";
 
-/// The columns of `scenario`, keys apart, for which `wanted` holds.
-std::vector<std::string> scenario_columns(Database& database, bool numerical) {
-    Statement statement(database, "SELECT name FROM pragma_table_info('scenario') ORDER BY cid");
+/// The columns of `scenario`, keys apart, that say how it is computed, or those that say what is asked.
+std::vector<std::string> scenario_columns(bool numerical) {
     std::vector<std::string> names;
-    while (statement.executeStep()) {
-        const std::string name = statement.getColumn(0).getString();
+    for (const std::string& name : known_table("scenario").columns) {
         if (std::ranges::find(keys, name) != keys.end()) continue;
         const bool is_numerical = std::ranges::find(numerical_columns, name) != numerical_columns.end();
         if (is_numerical == numerical) names.push_back(fmt::format("'{}', scenario.{}", name, name));
     }
     return names;
+}
+
+/// What everything that puts a run on a map relies on.
+void check_place(const RunPlace& place, long run_id) {
+    if (place.bed.size() < 2 || place.source_outline.size() < 3 || place.line.points.size() < 2)
+        throw DamagedData(fmt::format("has no place on the map for run {}", run_id));
 }
 
 }  // namespace
@@ -170,7 +175,7 @@ std::optional<RunPlace> select_place(Database& database, long run_id) {
                                             "JOIN section USING (section_id) WHERE run_id = ?",
                                             from_run));
     section.bind(1, run_id);
-    section.executeStep();
+    if (!section.executeStep()) throw DamagedData(fmt::format("has no section for run {}", run_id));
     frame.toe_chainage_m = section.getColumn(0).getDouble();
     frame.toe_elevation_m = section.getColumn(1).getDouble();
     frame.descends_with_chainage = section.getColumn(2).getInt() != 0;
@@ -192,14 +197,15 @@ std::optional<RunPlace> select_place(Database& database, long run_id) {
     place.head = points("head_x_m, head_y_m", "WHERE run_id = ?").at(0);
     place.exit_point = points("exit_x_m, exit_y_m", "WHERE run_id = ?").at(0);
     place.line = select_map_line(database, *line_id);
+    check_place(place, run_id);
     return place;
 }
 
 Question select_question(Database& database, long run_id) {
     Statement statement(database, fmt::format("SELECT json_object('source_type', source_type, {}), "
                                               "source_id, json_object({}){}WHERE run_id = ?",
-                                              fmt::join(scenario_columns(database, false), ", "),
-                                              fmt::join(scenario_columns(database, true), ", "), from_run));
+                                              fmt::join(scenario_columns(false), ", "),
+                                              fmt::join(scenario_columns(true), ", "), from_run));
     statement.bind(1, run_id);
     if (!statement.executeStep()) return {};
     return {statement.getColumn(0).getString(), statement.getColumn(1).getString(),

@@ -14,6 +14,7 @@
 #include <type_traits>
 
 #include "store/columns.h"
+#include "store/known_tables.h"
 #include "store/run_places.h"
 
 namespace runout {
@@ -95,7 +96,7 @@ RunStatus status_of(const std::string& word) {
                                 RunStatus::not_converged, RunStatus::running};
     for (const RunStatus status : all)
         if (to_string(status) == word) return status;
-    throw std::runtime_error("the database holds the unknown status " + word);
+    throw DamagedData("holds a run of the unknown status " + word);
 }
 
 template <class Row>
@@ -145,6 +146,13 @@ std::vector<float> floats_of(const SQLite::Column& column) {
 void bind_floats(Statement& statement, int place, const std::vector<float>& values) {
     const void* bytes = values.empty() ? static_cast<const void*>("") : values.data();
     statement.bind(place, bytes, static_cast<int>(values.size() * sizeof(float)));
+}
+
+/// Every array has one number for each particle.
+void check_snapshot(const Snapshot& snapshot, long run_id) {
+    for (const SnapshotColumn& column : snapshot_columns())
+        if ((snapshot.*column.value).size() != snapshot.x_m.size())
+            throw DamagedData(fmt::format("has particles of run {} with parts missing", run_id));
 }
 
 void insert_measures(Database& database, long run_id, const Measures& measures) {
@@ -334,6 +342,7 @@ std::vector<Snapshot> select_snapshots(Database& database, long run_id) {
         snapshot.time_s = statement.getColumn(place++).getDouble();
         for (const SnapshotColumn& column : snapshot_columns())
             snapshot.*column.value = floats_of(statement.getColumn(place++));
+        check_snapshot(snapshot, run_id);
         snapshots.push_back(std::move(snapshot));
     }
     return snapshots;

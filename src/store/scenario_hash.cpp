@@ -1,11 +1,8 @@
 #include "store/scenario_hash.h"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
-#include <array>
-#include <stdexcept>
-
+#include "core/sha256.h"
 #include "core/version.h"
 #include "scene/effect_settings.h"
 #include "store/store.h"
@@ -34,16 +31,6 @@ class CanonicalText {
 
     std::string text_;
 };
-
-std::string sha256_hex(const std::string& text) {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned int length = 0;
-    if (EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1)
-        throw std::runtime_error("the SHA-256 of libcrypto is not available");
-    std::string hex;
-    for (unsigned int i = 0; i < length; ++i) hex += fmt::format("{:02x}", digest[i]);
-    return hex;
-}
 
 // The structs are taken apart member by member: one that is added later stops the build here, where it must
 // be decided whether it changes the result.

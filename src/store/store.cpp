@@ -10,8 +10,10 @@
 
 #include "core/input_error.h"
 #include "store/database.h"
+#include "store/database_file.h"
 #include "store/effect_rows.h"
 #include "store/frame_rows.h"
+#include "store/known_tables.h"
 #include "store/ladder_rows.h"
 #include "store/record.h"
 #include "store/run_places.h"
@@ -32,6 +34,9 @@ struct Store::Impl {
             return use(*database);
         } catch (const SQLite::Exception& error) {
             throw_storage_error(path, error);
+        } catch (const DamagedData& damage) {
+            throw InputError({.file = path, .line = 0, .key = {}, .value = {}}, damage.what(),
+                             "take a copy that is whole");
         }
     }
 };
@@ -134,20 +139,26 @@ std::vector<ChartRow> Store::chart_rows(std::optional<long> study_id) const {
         [=](SQLite::Database& database) { return select_chart_rows(database, study_id); });
 }
 
+void Store::set_patience(std::chrono::milliseconds patience) {
+    impl_->database->setBusyTimeout(static_cast<int>(patience.count()));
+}
+
 MergeCounts Store::merge(const std::string& path) {
     if (std::filesystem::exists(path) && std::filesystem::equivalent(path, impl_->path))
         throw InputError({.file = path, .line = 0, .key = {}, .value = {}}, "is the database to merge into",
                          "give other databases");
-    open_for_reading(path);  // says what is wrong with it
+    const std::vector<std::string> foreign = check_whole(path);
     return impl_->with_database([&](SQLite::Database& database) {
         SQLite::Statement attach(database, "ATTACH DATABASE ? AS shard");
-        attach.bind(1, std::filesystem::absolute(path).string());
+        attach.bind(1, read_only_uri(path));
         attach.exec();
         try {
             SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-            const MergeCounts counts = merge_attached(database, path);
+            MergeCounts counts = merge_attached(database, path);
             transaction.commit();
             database.exec("DETACH DATABASE shard");
+            counts.foreign = foreign;
+            counts.lacks_log = lacks_its_log(path);
             return counts;
         } catch (...) {
             database.exec("DETACH DATABASE shard");

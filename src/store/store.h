@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -207,8 +208,11 @@ class Store {
     /// The scenarios of a study, or all, as a run-out chart needs them.
     [[nodiscard]] std::vector<ChartRow> chart_rows(std::optional<long> study_id) const;
 
+    /// How long a write waits for another program before it throws DatabaseInUse; 30 s unless said otherwise.
+    void set_patience(std::chrono::milliseconds patience);
+
     /// Copies what is missing here from the results database at `path` (see store/merge.h). All or nothing.
-    /// Throws InputError.
+    /// Throws InputError, naming the one of the two that is at fault.
     MergeCounts merge(const std::string& path);
 
     /// All runs in the order they were stored.

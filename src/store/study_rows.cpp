@@ -9,6 +9,8 @@
 #include <array>
 #include <limits>
 
+#include "store/known_tables.h"
+
 namespace runout {
 namespace {
 
@@ -52,6 +54,9 @@ StudyRow read_row(const Statement& statement) {
     row.scenario.scenario_hash = statement.getColumn(place++).getString();
     row.scenario.inputs = statement.getColumn(place++).getString();
     row.scenario.refusal = statement.getColumn(place++).getString();
+    if (statement.getColumn(place++).getInt() == 0)
+        throw DamagedData(
+            fmt::format("has a scenario {} of a study whose inputs are no JSON object", row.scenario.index));
     const SQLite::Column id = statement.getColumn(place++);
     if (!id.isNull()) row.run_id = id.getInt64();
     row.is_result = statement.getColumn(place++).getInt() != 0;
@@ -114,7 +119,8 @@ std::string study_rows_sql() {
     for (const NumberColumn& column : number_columns) names.emplace_back(column.sql);
     return fmt::format(
         "SELECT study_scenario.scenario_index, study_scenario.scenario_hash, study_scenario.inputs,"
-        " study_scenario.refusal, run.run_id, coalesce(run_status.is_result, 0), {}"
+        " study_scenario.refusal, iif(json_valid(study_scenario.inputs),"
+        " json_type(study_scenario.inputs) = 'object', 0), run.run_id, coalesce(run_status.is_result, 0), {}"
         " FROM study_scenario"
         " LEFT JOIN scenario ON scenario.scenario_hash = study_scenario.scenario_hash"
         " LEFT JOIN source ON source.source_id = scenario.source_id"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -23,11 +24,16 @@ class WriteAheadLog {
     WriteAheadLog(const WriteAheadLog&) = delete;
     WriteAheadLog& operator=(const WriteAheadLog&) = delete;
 
+    /// Brings what is in the log into the one file, now and then: the first time, and when some seconds have
+    /// passed since. What is copied without its log then lacks no more than that.
+    void checkpoint_now_and_then();
+
     /// Whether the log is in use.
     [[nodiscard]] bool is_on() const { return on_; }
 
   private:
     std::unique_ptr<SQLite::Database> database_;
+    std::chrono::steady_clock::time_point next_checkpoint_{};
     bool on_ = false;
 };
 

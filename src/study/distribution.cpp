@@ -112,6 +112,21 @@ double quantile(const Distribution& d, double probability) {
     throw std::invalid_argument("unknown distribution");
 }
 
+void check_share(const Factor& factor) {
+    const auto* d = std::get_if<Distribution>(&factor.values);
+    if (d == nullptr) return;
+    bool has_share = d->shape != Distribution::Shape::lognormal || d->high > 0;
+    try {
+        const double low = has_share ? quantile(*d, 1e-6) : 0, high = has_share ? quantile(*d, 1 - 1e-6) : 0;
+        has_share = std::isfinite(low) && std::isfinite(high) && low < high;
+    } catch (const std::exception&) {  // Boost's, of arguments that no law takes
+        has_share = false;
+    }
+    if (!has_share)
+        throw InputError(factor.place, "has no share of its distribution between its ends",
+                         "give ends that enclose some of it");
+}
+
 MatrixXd latin_hypercube(int samples, const MatrixXd& rank_correlation, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     MatrixXd table(samples, rank_correlation.cols());

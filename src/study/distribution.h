@@ -11,6 +11,10 @@ namespace runout {
 /// The value below which a share `probability` (0 to 1, ends excluded) of the distribution lies.
 double quantile(const Distribution& distribution, double probability);
 
+/// Throws InputError where `factor` is sampled and its distribution has no share that could be told between
+/// its ends, such as a normal one of 35 +- 2 between 1000 and 1001.
+void check_share(const Factor& factor);
+
 /// Latin hypercube (McKay, Beckman and Conover 1979): `samples` probabilities in each column, one in each of
 /// as many equal strata, in random order. Where `rank_correlation` (columns x columns, ones on its diagonal)
 /// is not the identity the columns are reordered towards it (Iman and Conover 1982), which leaves each of

@@ -9,6 +9,7 @@
 
 #include "core/input_error.h"
 #include "measures/run.h"
+#include "store/database_in_use.h"
 
 namespace runout {
 namespace {
@@ -65,8 +66,21 @@ class Workers {
         event.simulated = true;
         event.status = result.status;
         const std::scoped_lock lock(store_mutex_);
-        event.run_id = store_.add(*scene, result);
+        event.run_id = stored(*scene, result);
+        if (!event.run_id) return;
         tell(event);
+    }
+
+    /// Its id; none when the user stopped the waiting.
+    std::optional<long> stored(const Scene& scene, const RunResult& result) {
+        while (true) {
+            try {
+                return store_.add(scene, result);
+            } catch (const DatabaseInUse&) {
+                if (stopped()) return std::nullopt;
+                if (queue_.on_wait) queue_.on_wait();
+            }
+        }
     }
 
     std::optional<Scene> scene_of(std::size_t job, QueueEvent& event) {

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "core/text_file.h"
+#include "study/distribution.h"
 
 namespace runout {
 namespace {
@@ -281,6 +282,7 @@ Study read_study(const std::string& path) {
     try {
         const toml::table root = toml::parse(study.text, path);
         StudyReader(study).read(root);
+        for (const Factor& factor : study.factors) check_share(factor);
     } catch (const toml::parse_error& error) {
         throw InputError({path, static_cast<int>(error.source().begin.line), {}, {}},
                          fmt::format("is not valid TOML ({})", error.description()), "write key = value");

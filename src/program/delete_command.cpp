@@ -1,0 +1,134 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <regex>
+
+#include "core/input_error.h"
+#include "core/printable.h"
+#include "program/answer.h"
+#include "program/command.h"
+#include "program/study_choice.h"
+#include "store/remove_runs.h"
+#include "store/store.h"
+
+namespace runout {
+namespace {
+
+constexpr std::size_t runs_shown = 20;
+
+struct DeleteArguments {
+    std::string database;
+    std::vector<long> run_ids;
+    std::string study;
+    std::string older_than;
+    bool yes = false;
+};
+
+/// The instant that "90d" (w, d, h) lies back, or "2024-05-31" names, as ISO 8601.
+std::string instant_of(const std::string& text) {
+    const InputPlace place{.file = "--older-than", .line = 0, .key = {}, .value = text};
+    static const std::regex age("([0-9]{1,6})([wdh])"),
+        date("[0-9]{4}-[0-9]{2}-[0-9]{2}(T[0-9]{2}:[0-9]{2}:[0-9]{2}Z)?");
+    std::smatch parts;
+    if (std::regex_match(text, date)) return text;
+    if (!std::regex_match(text, parts, age))
+        throw InputError(place, "is no age and no date",
+                         "give weeks, days or hours such as 90d, or 2024-05-31");
+    int count = 0;
+    const std::string digits = parts[1];
+    std::from_chars(digits.data(), digits.data() + digits.size(), count);
+    const char unit = parts[2].str()[0];
+    const int hours_of_unit = unit == 'w' ? 168 : unit == 'd' ? 24 : 1;
+    const auto instant = std::chrono::system_clock::now() - std::chrono::hours(count) * hours_of_unit;
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(instant));
+}
+
+RunSelection selection_of(const DeleteArguments& arguments) {
+    const int ways = (arguments.run_ids.empty() ? 0 : 1) + (arguments.study.empty() ? 0 : 1) +
+                     (arguments.older_than.empty() ? 0 : 1);
+    if (ways != 1)
+        throw InputError({.file = {}, .line = 0, .key = "delete", .value = {}},
+                         "must be told in one way what is to go", "give --run, --study or --older-than");
+    RunSelection selection{.run_ids = arguments.run_ids};
+    if (!arguments.study.empty())
+        selection.study_id =
+            chosen_study(Store(arguments.database, Store::Mode::read), arguments.database, arguments.study)
+                .study_id;
+    if (!arguments.older_than.empty()) selection.ended_before_utc = instant_of(arguments.older_than);
+    return selection;
+}
+
+std::string text_of(const Removal& removal, const std::string& database) {
+    std::string text = fmt::format("To be removed from {}: {} run{}\n", printable(database),
+                                   removal.runs.size(), removal.runs.size() == 1 ? "" : "s");
+    for (std::size_t i = 0; i < std::min(runs_shown, removal.runs.size()); ++i) {
+        const DoomedRun& run = removal.runs[i];
+        text += fmt::format("  run {}: {}, {}, ended {}\n", run.run_id, printable(run.name),
+                            printable(run.status), printable(run.ended_utc));
+    }
+    if (removal.runs.size() > runs_shown)
+        text += fmt::format("  and {} more\n", removal.runs.size() - runs_shown);
+    for (const std::string& ladder : removal.ladders)
+        text += fmt::format("  the study of accuracy {}, which rests on one of them\n", printable(ladder));
+    if (removal.study_id) text += fmt::format("  the study {}\n", printable(removal.study));
+    if (removal.shared_runs > 0)
+        text += fmt::format("Kept: {} of its runs, which another study has too\n", removal.shared_runs);
+    return text;
+}
+
+/// Asks a person; without one, --yes must have said it.
+bool is_wanted(const DeleteArguments& arguments) {
+    if (arguments.yes) return true;
+    if (isatty(STDIN_FILENO) == 0)
+        throw InputError({.file = arguments.database, .line = 0, .key = {}, .value = {}},
+                         "is left as it is: nobody can be asked here", "give --yes");
+    fmt::print(stderr, "Remove? They cannot be brought back. [y/N] ");
+    std::string answer;
+    std::getline(std::cin, answer);
+    return answer == "y" || answer == "yes";
+}
+
+int delete_runs(const DeleteArguments& arguments) {
+    const Removal removal = plan_removal(arguments.database, selection_of(arguments));
+    print_text(text_of(removal, arguments.database));
+    std::fflush(stdout);
+    if (removal.runs.empty() && !removal.study_id) return exit_code::success;
+    if (!is_wanted(arguments)) {
+        print_text("Nothing was removed.\n");
+        return exit_code::success;
+    }
+    const Removed removed = remove_runs(arguments.database, removal);
+    print_text(removed.space_given_back ? fmt::format("Removed; the file is {:.3g} MB smaller.\n",
+                                                      1e-6 * static_cast<double>(removed.bytes_given_back))
+                                        : "Removed; the disk has no room for making the file smaller.\n");
+    return exit_code::success;
+}
+
+}  // namespace
+
+void add_delete_command(CLI::App& app, Command& command) {
+    const auto arguments = std::make_shared<DeleteArguments>();
+    CLI::App* sub =
+        app.add_subcommand("delete", "Remove stored runs whole, after asking, and give their space back");
+    sub->add_option("DB", arguments->database, "Database of runs, such as runout.db")
+        ->required()
+        ->type_name("");
+    sub->add_option("--run", arguments->run_ids, "These runs; may be repeated")->type_name("ID");
+    sub->add_option("--study", arguments->study,
+                    "A study with its runs, but those that another study has too")
+        ->type_name("NAME|ID");
+    sub->add_option(
+           "--older-than", arguments->older_than,
+           "Runs that ended longer ago: weeks, days or hours (8w, 90d, 12h), or before a date (2024-05-31)")
+        ->type_name("AGE|DATE");
+    sub->add_flag("--yes", arguments->yes, "Do not ask");
+    sub->callback([arguments, &command] { command = [arguments] { return delete_runs(*arguments); }; });
+}
+
+}  // namespace runout

@@ -1,0 +1,14 @@
+#include "scene/input_files.h"
+
+namespace runout {
+
+std::vector<std::string> input_files(const CaseSpec& spec) {
+    const MapSection& map = spec.section.map;
+    std::vector<std::string> files;
+    for (const std::string& file :
+         {spec.file, spec.section.file, map.raster, map.line.file, spec.shaking_record})
+        if (!file.empty()) files.push_back(file);
+    return files;
+}
+
+}  // namespace runout
