@@ -96,6 +96,8 @@ void reorder(MatrixXd& table, const MatrixXd& lower, std::mt19937_64& random) {
 }  // namespace
 
 double quantile(const Distribution& d, double probability) {
+    // A law without ends has none at 0 and 1.
+    probability = std::clamp(probability, 1e-18, 1 - 0x1p-53);
     switch (d.shape) {
         case Distribution::Shape::normal:
             return cut_quantile(boost::math::normal(d.mean, d.deviation), d, probability);
