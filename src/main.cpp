@@ -13,6 +13,7 @@
 #include "core/input_error.h"
 #include "core/printable.h"
 #include "core/version.h"
+#include "engine/instruction_set.h"
 #include "gis/network.h"
 #include "program/command.h"
 
@@ -45,8 +46,8 @@ Exit codes: 0 settled or stable, 1 ended otherwise or some lines refused, 2 wron
 130 interrupted.)";
 
 std::string version_text() {
-    return fmt::format("runout {} (revision {}, {})", program_version(), program_revision(),
-                       compiler_description());
+    return fmt::format("runout {} (revision {}, {}, {} instructions)", program_version(), program_revision(),
+                       compiler_description(), to_string(instruction_set()));
 }
 
 /// The message of a log line, as printable() shows it.

@@ -39,7 +39,7 @@ const std::vector<Library>& heavy_libraries() {
          std::regex("^(suitesparse/)?(cholmod|SuiteSparse|umfpack|amd|colamd).*|^Eigen/CholmodSupport"),
          {"engine"}},
         {"SQLite", std::regex("^(SQLiteCpp/.*|sqlite3.*)"), {"store"}},
-        {"toml++", std::regex("^toml\\+\\+/.*|^toml\\.hpp"), {"scene/case_file.cpp", "study/study_file.cpp"}},
+        {"toml++", std::regex("^toml\\+\\+/.*|^toml\\.hpp"), {"scene/toml_reading.h"}},
         {"Boost", std::regex("^boost/.*"), {"study/distribution.cpp"}},
         {"CLI11", std::regex("^CLI/.*|^CLI11.*"), {"main.cpp", "program"}},
         {"spdlog", std::regex("^spdlog/.*"), {"main.cpp", "program"}},

@@ -38,6 +38,15 @@ TEST(Corpus, OfTheCaseReader) {
 TEST(Corpus, OfTheSourceDerivation) {
     EXPECT_GT(replay("source_derivation", fuzz::derive_any_source), 10);
 }
+TEST(Corpus, OfTheStudyReader) {
+    EXPECT_GT(replay("study_reader", fuzz::read_study_file), 10);
+}
+TEST(Corpus, OfTheDatabaseReader) {
+    EXPECT_GT(replay("database_reader", fuzz::read_damaged_database), 10);
+}
+TEST(Corpus, OfTheMapWriter) {
+    EXPECT_GT(replay("map_writer", fuzz::write_any_map), 10);
+}
 
 }  // namespace
 }  // namespace runout

@@ -117,7 +117,7 @@ TEST_F(ProgramTest, RefusesBadSweepsAndMerges) {
           "0.02 }\n"
           "material.density_kg_m3 = { from = 1500, to = 2000, step = 1 }\n");
     expect_refused({"sweep", "empty.toml"}, {"empty.toml", "names nothing to vary"});
-    expect_refused({"sweep", "none.toml"}, {"none.toml", "is not a file"});
+    expect_refused({"sweep", "none.toml"}, {"none.toml", "does not exist"});
     expect_refused({"sweep", "huge.toml"}, {"huge.toml", "combinations", "--yes"});
     expect_refused({"sweep", "study.toml", "--shard", "3/3"}, {"--shard = 3/3", "out of range", "0 to 2"});
     expect_refused({"sweep", "study.toml", "--shard", "x"}, {"--shard = x", "0/8"});

@@ -46,7 +46,7 @@ TEST_F(SceneTest, UnknownKeysNameTheNearest) {
                      {"nearest is material.friction_angle_deg"});
     expect_complaint(complaint("friction_angle_deg = 38\n"),
                      {"line 1", "nearest is material.friction_angle_deg"});
-    expect_complaint(complaint("\"run.resolution\" = 38\n"), {"line 1", "not a known key"});
+    expect_complaint(complaint("\"run.resolution\" = 38\n"), {"line 1", "dotted key in quotes"});
     expect_complaint(complaint("[sauce]\n"), {"line 1", "sauce", "not a known key"});
     expect_complaint(complaint("[[source]]\ntype = \"B\"\n"), {"line 1: source", "write [source], once"});
     expect_complaint(complaint("[run]\ncourant.max = 0.1\n"), {"line 2", "run.courant"});

@@ -19,6 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::vector<std::vector<Setting>> combinations(const Study& study) {
+    const Combinations all(study);
+    std::vector<std::vector<Setting>> list;
+    for (std::size_t k = 0; k < all.size(); ++k) list.push_back(all[k]);
+    return list;
+}
+
 class StudyTest : public testing::Test {
   protected:
     Study study(const std::string& text) const {

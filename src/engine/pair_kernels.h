@@ -4,6 +4,8 @@
 
 namespace runout {
 
+enum class InstructionSet;  // its header is not for files that are compiled with wide instructions
+
 /// Rows of the pair lists are worked on in slices of this many lanes.
 constexpr int lanes = 16;
 
@@ -153,8 +155,10 @@ struct PairKernels {
     void (*slice_geometry)(const SliceGeometry& slice, const GeometryConstants& constants, SliceSums& sums);
 };
 
-/// The fastest kernels this machine can run.
+/// Those of instruction_set(). Throws InputError as that does, the first time.
 const PairKernels& pair_kernels();
+/// Those of one instruction set, which the machine must have.
+const PairKernels& pair_kernels(InstructionSet set);
 
 // One table an instruction set, each compiled in a file of its own.
 extern const PairKernels pair_kernels_baseline;

@@ -77,6 +77,7 @@ void create_fields(OGRLayer& target, const std::vector<Field>& fields, const std
 
 std::unique_ptr<OGRGeometry> geometry_of(GeometryKind kind, const Polyline& points,
                                          const Transformation& transformation) {
+    if (points.empty()) return nullptr;  // it has values, and no place
     if (kind == GeometryKind::point) {
         const Vec2 at = transformation(points.front());
         return std::make_unique<OGRPoint>(at.x(), at.y());

@@ -74,7 +74,7 @@ Shard shard_of(const std::string& text) {
 
 void check_size(const Study& study, bool yes) {
     const double count = combination_count(study);
-    if (count > most_scenarios_unasked && !yes)
+    if (count > most_scenarios_unasked && count <= most_combinations_of_a_study && !yes)
         throw InputError({.file = study.file, .line = 0, .key = {}, .value = {}},
                          fmt::format("asks for {:.0f} combinations", count),
                          fmt::format("more than {:.0f} are run with --yes", most_scenarios_unasked));
@@ -220,10 +220,11 @@ class SweepLog {
 
     /// A line of a layer is part of what was varied.
     [[nodiscard]] std::vector<Setting> settings_of(std::size_t job) const {
-        std::vector<Setting> settings = scenarios_[job].settings;
-        if (const auto& line = scenarios_[job].line)
-            settings.emplace_back("section.feature_id", fmt::format("{}", line->feature.feature_id));
-        return settings;
+        Scenario scenario = scenarios_[job];
+        if (scenario.line)
+            scenario.settings.emplace_back("section.feature_id",
+                                           fmt::format("{}", scenario.line->feature.feature_id));
+        return scenario.settings;
     }
 
     void tell() {

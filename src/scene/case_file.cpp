@@ -1,7 +1,6 @@
 #include "scene/case_file.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
@@ -10,17 +9,18 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
-#include <sstream>
+#include <vector>
 
-#include "core/text_file.h"
 #include "scene/parameters.h"
+#include "scene/toml_reading.h"
 
 namespace runout {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longest_quoted_value = 60;
+constexpr std::size_t most_entries = 1000;  // of [[gauge]] and the like
+constexpr std::size_t longest_quoted = 60;  // of a key or a value, in a message
 
 InputPlace whole_file(const std::string& path) {
     return {.file = path, .line = 0, .key = {}, .value = {}};
@@ -30,7 +30,7 @@ std::string read_text(const std::string& path) {
     std::error_code ignored;
     if (fs::is_directory(path, ignored))
         throw InputError(whole_file(path), "is a folder", "give the case file in it, such as case.toml");
-    return read_text_file(path, "give a case (.toml) or a section (.csv)");
+    return read_toml_text(path, "give a case (.toml) or a section (.csv)");
 }
 
 std::string lower_extension(const std::string& path) {
@@ -45,26 +45,44 @@ std::string name_from(const std::string& path) {
     return full.stem() == "case" ? full.parent_path().filename().string() : full.stem().string();
 }
 
-/// The characters of the file that make up a value, as the user wrote them.
-std::string written_value(const std::string& text, const toml::source_region& region) {
-    std::istringstream lines(text);
-    std::string line;
-    for (toml::source_index i = 0; i < region.begin.line; ++i) std::getline(lines, line);
-    if (region.begin.column == 0 || region.begin.column > line.size()) return {};
-    const bool one_line = region.end.line == region.begin.line && region.end.column > region.begin.column;
-    std::string value =
-        line.substr(region.begin.column - 1, one_line ? region.end.column - region.begin.column : line.npos);
-    while (!value.empty() && (std::isspace(static_cast<unsigned char>(value.back())) != 0)) value.pop_back();
-    if (value.size() > longest_quoted_value) value = value.substr(0, longest_quoted_value) + "...";
-    return value;
+std::string shortened(std::string text, std::size_t longest) {
+    if (text.size() > longest) text = text.substr(0, longest) + "...";
+    return text;
 }
+
+/// A text whose lines are found at once.
+class WrittenText {
+  public:
+    explicit WrittenText(std::string_view text) : text_(text) {
+        for (std::size_t i = 0; i < text.size(); ++i)
+            if (text[i] == '\n') starts_.push_back(i + 1);
+    }
+
+    /// The characters that make up a value, as the user wrote them, shortened.
+    [[nodiscard]] std::string value(const toml::source_region& region) const {
+        if (region.begin.line == 0 || region.begin.line > starts_.size()) return {};
+        const std::size_t start = starts_[region.begin.line - 1];
+        const std::string_view line = text_.substr(start, text_.find('\n', start) - start);
+        if (region.begin.column == 0 || region.begin.column > line.size()) return {};
+        const bool one_line = region.end.line == region.begin.line && region.end.column > region.begin.column;
+        std::string value(line.substr(region.begin.column - 1,
+                                      one_line ? region.end.column - region.begin.column : line.npos));
+        while (!value.empty() && (std::isspace(static_cast<unsigned char>(value.back())) != 0))
+            value.pop_back();
+        return shortened(value, longest_quoted);
+    }
+
+  private:
+    std::string_view text_;
+    std::vector<std::size_t> starts_ = {0};
+};
 
 std::optional<Vec2> point_from(const toml::node& node) {
     const toml::array* pair = node.as_array();
     if (pair == nullptr || pair->size() != 2) return std::nullopt;
-    const auto x = (*pair)[0].value<double>();
-    const auto y = (*pair)[1].value<double>();
-    if (!(*pair)[0].is_number() || !(*pair)[1].is_number() || !x || !y) return std::nullopt;
+    const std::optional<double> x = number_in((*pair)[0]);
+    const std::optional<double> y = number_in((*pair)[1]);
+    if (!x || !y) return std::nullopt;
     return Vec2(*x, *y);
 }
 
@@ -95,10 +113,11 @@ std::vector<double> numbers_from(const toml::node& node, const Parameter& parame
     if (list == nullptr) throw InputError(place, "is not a list", "valid: " + valid_values(parameter));
     std::vector<double> numbers;
     for (const toml::node& entry : *list) {
-        if (!entry.is_number())
+        const std::optional<double> number = number_in(entry);
+        if (!number)
             throw InputError(place, fmt::format("has an entry {} that is not a number", numbers.size() + 1),
                              "valid: " + valid_values(parameter));
-        numbers.push_back(*entry.value<double>());
+        numbers.push_back(*number);
     }
     return numbers;
 }
@@ -107,8 +126,7 @@ std::vector<double> row_from(const toml::node& node) {
     std::vector<double> row;
     const toml::array* list = node.as_array();
     if (list == nullptr) return row;
-    for (const toml::node& entry : *list)
-        row.push_back(entry.is_number() ? *entry.value<double>() : std::nan(""));
+    for (const toml::node& entry : *list) row.push_back(number_in(entry).value_or(std::nan("")));
     return row;
 }
 
@@ -139,13 +157,14 @@ Value value_from(const toml::node& node, const Parameter& parameter, const Input
         case ValueKind::choice:
             if (!node.is_string())
                 throw InputError(place, "is not a text in quotes", "valid: " + valid_values(parameter));
-            return *node.value<std::string>();
+            return node.ref<std::string>();
         case ValueKind::integer:
         case ValueKind::number:
             break;
     }
-    if (!node.is_number()) throw InputError(place, "is not a number", "valid: " + valid_values(parameter));
-    return *node.value<double>();
+    const std::optional<double> number = number_in(node);
+    if (!number) throw InputError(place, "is not a number", "valid: " + valid_values(parameter));
+    return *number;
 }
 
 double number_from(const std::string& text, const Parameter& parameter, const InputPlace& place) {
@@ -154,6 +173,18 @@ double number_from(const std::string& text, const Parameter& parameter, const In
     if (error != std::errc{} || end != text.data() + text.size())
         throw InputError(place, "is not a number", "valid: " + valid_values(parameter));
     return value;
+}
+
+/// A table with the key "list" and nothing else.
+toml::table parsed_list(const std::string& text, const Parameter& parameter, const InputPlace& place) {
+    const InputError refusal(place, "is not a list", "valid: " + valid_values(parameter));
+    try {
+        toml::table parsed = parse_toml("list = " + text, "");
+        if (parsed.size() == 1) return parsed;
+    } catch (const InputError&) {
+        throw refusal;
+    }
+    throw refusal;
 }
 
 Value value_from(const std::string& text, const Parameter& parameter, const InputPlace& place) {
@@ -172,12 +203,8 @@ Value value_from(const std::string& text, const Parameter& parameter, const Inpu
     }
     // On a command line the brackets around one place say nothing.
     const bool bare = parameter.kind == ValueKind::place && !text.starts_with('[');
-    try {
-        const toml::table parsed = toml::parse(bare ? "list = [" + text + "]" : "list = " + text);
-        return list_from(*parsed.get("list"), parameter, place);
-    } catch (const toml::parse_error&) {
-        throw InputError(place, "is not a list", "valid: " + valid_values(parameter));
-    }
+    const toml::table parsed = parsed_list(bare ? "[" + text + "]" : text, parameter, place);
+    return list_from(*parsed.get("list"), parameter, place);
 }
 
 bool is_section(std::string_view name) {
@@ -194,12 +221,19 @@ class CaseReader {
     void read(const toml::table& root) {
         for (const auto& [key, node] : root) {
             const std::string name(key.str());
+            check_is_one_word(key, place(name, key, node));
             if (!is_section(name) || !read_if_section(name, node))
                 throw unknown_key(first_place(name, key, node));
         }
     }
 
   private:
+    /// TOML takes "a.b" in quotes for another key than a.b, so that one thing could be said twice.
+    static void check_is_one_word(const toml::key& key, const InputPlace& place) {
+        if (key.str().find('.') == std::string_view::npos) return;
+        throw InputError(place, "is a dotted key in quotes", "write it without the quotes");
+    }
+
     /// Reads [name], or each [[name]] where a section may stand several times. False: it is neither.
     bool read_if_section(const std::string& name, const toml::node& node) {
         if (const toml::table* table = node.as_table()) {
@@ -212,6 +246,10 @@ class CaseReader {
         if (!is_list_section(name))
             throw InputError({spec_.file, static_cast<int>(node.source().begin.line), name, {}},
                              "stands several times", fmt::format("write [{}], once", name));
+        if (entries->size() > most_entries)
+            throw InputError({spec_.file, static_cast<int>(node.source().begin.line), name, {}},
+                             fmt::format("stands {} times", entries->size()),
+                             fmt::format("write [[{}]] at most {} times", name, most_entries));
         for (const toml::node& entry : *entries) {
             begin_entry(spec_, name);
             read_section(name, *entry.as_table());
@@ -225,6 +263,7 @@ class CaseReader {
                              "is named without a key", "give its keys (runout help keys), or leave it out");
         for (const auto& [key, node] : table) {
             const InputPlace at = place(fmt::format("{}.{}", section, key.str()), key, node);
+            check_is_one_word(key, at);
             if (is_section(at.key) && read_if_section(at.key, node)) continue;
             const Parameter& parameter = known_parameter(at);
             assign(spec_, parameter, value_from(node, parameter, at), at);
@@ -243,12 +282,12 @@ class CaseReader {
     [[nodiscard]] InputPlace place(std::string name, const toml::key& key, const toml::node& node) const {
         return {.file = spec_.file,
                 .line = static_cast<int>(key.source().begin.line),
-                .key = std::move(name),
-                .value = node.is_table() ? "" : written_value(text_, node.source())};
+                .key = shortened(std::move(name), longest_quoted),
+                .value = node.is_table() ? "" : text_.value(node.source())};
     }
 
     CaseSpec& spec_;
-    const std::string& text_;
+    WrittenText text_;
 };
 
 /// Paths in a case file start at the case file, so that a case can be run from anywhere.
@@ -265,13 +304,7 @@ void read_toml(CaseSpec& spec) {
     if (text.find_first_not_of(" \t\r\n") == std::string::npos)
         throw InputError(whole_file(spec.file), "is empty",
                          "a case has [section], [source], [material] and [run]");
-    try {
-        const toml::table root = toml::parse(text, spec.file);
-        CaseReader(spec, text).read(root);
-    } catch (const toml::parse_error& error) {
-        throw InputError({spec.file, static_cast<int>(error.source().begin.line), {}, {}},
-                         fmt::format("is not valid TOML ({})", error.description()), "write key = value");
-    }
+    CaseReader(spec, text).read(parse_toml(text, spec.file));
     resolve_paths(spec);
 }
 

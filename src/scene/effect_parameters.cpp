@@ -40,22 +40,24 @@ std::vector<Parameter> base_friction_parameters() {
 
 std::vector<Parameter> strength_parameters() {
     return {
-        number("effects.cohesion.cohesion_kpa", "kPa", zero_or_more, "off: none",
+        number("effects.cohesion.cohesion_kpa", "kPa", between(0, 1e6), "off: none",
                "Cohesion c of the soil: it yields at c cos(phi) + p sin(phi).",
                [](CaseSpec& spec, double kpa) { named(spec.effects.cohesion).strength = 1e3 * kpa; }),
-        number("effects.cohesion.tension_cut_off_kpa", "kPa", zero_or_more,
+        number("effects.cohesion.tension_cut_off_kpa", "kPa", between(0, 1e6),
                "c cos(phi)/(1 + sin(phi)), uniaxial tension at yield",
                "Greatest mean tension that the soil bears.",
                [](CaseSpec& spec, double kpa) { named(spec.effects.cohesion).tension = 1e3 * kpa; }),
-        number("effects.rate.grain_diameter_m", "m", positive, "off: friction does not depend on the rate",
+        number("effects.rate.grain_diameter_m", "m", between(1e-7, 10),
+               "off: friction does not depend on the rate",
                "Grain diameter d of the inertial number I = 2|e| d sqrt(rho_s/p): friction grows as mu(I).",
                [](CaseSpec& spec, double metres) { named(spec.effects.rate).grain_diameter = metres; }),
-        number("effects.rate.grain_density_kg_m3", "kg/m3", positive, "2650", "Density rho_s of the grains.",
+        number("effects.rate.grain_density_kg_m3", "kg/m3", between(100, 20000), "2650",
+               "Density rho_s of the grains.",
                [](CaseSpec& spec, double density) { named(spec.effects.rate).grain_density = density; }),
-        number("effects.rate.friction_increase", "", zero_or_more, "0.26",
+        number("effects.rate.friction_increase", "", between(0, 10), "0.26",
                "mu_2 - mu_s: friction coefficient at high rates less that at rest, sin(phi).",
                [](CaseSpec& spec, double increase) { named(spec.effects.rate).increase = increase; }),
-        number("effects.rate.inertial_number", "", positive, "0.279",
+        number("effects.rate.inertial_number", "", between(1e-6, 1000), "0.279",
                "I_0 at which half of the increase is there.",
                [](CaseSpec& spec, double number) { named(spec.effects.rate).inertial_number = number; }),
     };
@@ -153,7 +155,7 @@ std::vector<Parameter> release_parameters() {
                [](CaseSpec& spec, double metres) { named(spec.effects.release).layer_width = metres; }),
         number("effects.release.layer_height_m", "m", positive, "required with layers", "Height of a layer.",
                [](CaseSpec& spec, double metres) { named(spec.effects.release).layer_height = metres; }),
-        number("effects.release.mass.time_s", "s", positive, "none",
+        number("effects.release.mass.time_s", "s", above_zero_up_to(86400), "none",
                "[[effects.release.mass]], one each: when a further mass is let go.",
                [](CaseSpec& spec, double seconds) {
                    latest(named(spec.effects.release).masses).time = seconds;

@@ -218,7 +218,7 @@ std::vector<Parameter> physical_run_parameters() {
     return {
         word("run.name", {}, "name of the file or of its folder", "Name of the case in tables and reports.",
              [](CaseSpec& spec, const std::string& name) { spec.name = name; }),
-        number("run.gravity_m_s2", "m/s2", above_zero_up_to(10000), "9.81", "Acceleration of gravity.",
+        number("run.gravity_m_s2", "m/s2", between(0.001, 10000), "9.81", "Acceleration of gravity.",
                [](CaseSpec& spec, double gravity) { spec.run.gravity = gravity; }),
         number("run.time_limit_s", "s", positive,
                "60 sqrt(H/g), H the fall of the source to the lowest bed; more where friction is below 0.1",
@@ -247,7 +247,7 @@ std::vector<Parameter> numerical_run_parameters() {
         number("run.particle_spacing_m", "m", positive, "chosen to meet run.accuracy",
                "Distance between particles; excludes run.resolution.",
                [](CaseSpec& spec, double metres) { spec.run.particle_spacing = metres; }),
-        number("run.courant", "", above_zero_up_to(0.5), "0.2",
+        number("run.courant", "", between(0.001, 0.5), "0.2",
                "C_max: no particle moves further than this share of the spacing in a step.",
                [](CaseSpec& spec, double courant) { spec.run.courant = courant; }),
         number("run.smoothing_ratio", "", between(1, 2), "1.3", "Smoothing length over particle spacing.",

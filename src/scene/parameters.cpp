@@ -43,6 +43,9 @@ const Parameter& nearest_parameter(std::string_view typed) {
         parameters(), {}, [&](const Parameter& parameter) { return key_distance(typed, parameter.key); });
 }
 
+constexpr std::size_t longest_word = 4096;    // as long as a path may be
+constexpr std::size_t longest_list = 10'000;  // a polygon of more would take hours
+
 void check_number(const Parameter& parameter, double value, const InputPlace& place) {
     if (!std::isfinite(value))
         throw InputError(place, "is not a finite number", "valid: " + valid_values(parameter));
@@ -57,25 +60,37 @@ void check_word(const Parameter& parameter, const std::string& value, const Inpu
     // A path would be opened up to there, under a name that nobody sees.
     if (value.find('\0') != std::string::npos)
         throw InputError(place, "holds a zero byte", "valid: " + valid_values(parameter));
+    if (value.size() > longest_word)
+        throw InputError(place, fmt::format("is longer than {} characters", longest_word),
+                         "valid: " + valid_values(parameter));
     if (parameter.kind == ValueKind::choice &&
         std::ranges::find(parameter.choices, value) == parameter.choices.end())
         throw InputError(place, "is not known", "valid: " + valid_values(parameter));
 }
 
+void check_length(std::size_t entries, const InputPlace& place) {
+    if (entries > longest_list)
+        throw InputError(place, fmt::format("has {} entries", entries),
+                         fmt::format("give at most {}", longest_list));
+}
+
 /// Rising, so that a reader sees at once what is asked.
 void check_numbers(const Parameter& parameter, const std::vector<double>& values, const InputPlace& place) {
+    check_length(values.size(), place);
     for (const double value : values) check_number(parameter, value, place);
     if (std::ranges::adjacent_find(values, std::greater_equal<>{}) != values.end())
         throw InputError(place, "is not a rising list", "valid: " + valid_values(parameter));
 }
 
 void check_points(const Polyline& points, const InputPlace& place) {
+    check_length(points.size(), place);
     for (const Vec2& point : points)
         if (!point.allFinite()) throw InputError(place, "has a coordinate that is not finite", "give metres");
 }
 
 void check_rows(const Parameter& parameter, const NumberRows& rows, const InputPlace& place) {
     if (rows.empty()) throw InputError(place, "is an empty list", "valid: " + valid_values(parameter));
+    check_length(rows.size(), place);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const bool complete = rows[i].size() == parameter.choices.size() &&
                               std::ranges::all_of(rows[i], [](double v) { return std::isfinite(v); });

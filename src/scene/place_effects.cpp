@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "scene/shaking_record.h"
+#include "source/polygon_place.h"
 
 namespace runout {
 namespace {
@@ -103,13 +104,28 @@ Shaking place_shaking(const CaseSpec& spec) {
         constant.vertical = {-spec.pseudo_static.y() * spec.run.gravity};
         return constant;
     }
-    Shaking shaking = read_shaking_record(spec.shaking_record);
+    Shaking shaking = read_shaking_record(spec.shaking_record, spec.run.gravity);
     if (shaking.time.back() < spec.run.time_limit)
         throw InputError(spec.place("effects.shaking.record"),
                          fmt::format("ends at {:.6g} s, before run.time_limit_s = {:.6g}",
                                      shaking.time.back(), spec.run.time_limit),
                          "lengthen the record (zeros: the ground is still), or shorten the run");
     return shaking;
+}
+
+/// What of a mass lies in the hill can leave it once. `ground`: what the source and earlier masses have left.
+void check_taken_once(const CaseSpec& spec, const Site& site, const Polyline& ground, const Polygon& outline,
+                      std::size_t number) {
+    constexpr double drawing_error = 0.01;  // of the area: coordinates are decimals
+    const PolygonPlace before = polygon_place(site.profile.ground, outline);
+    const double gone = before.in_ground - polygon_place(ground, outline).in_ground;
+    if (gone > drawing_error * before.area)
+        throw InputError(
+            spec.place("effects.release.mass.points"),
+            fmt::format("overlaps: {:.4g} of the {:.4g} m2 of mass {} have left the hill with the "
+                        "source or an earlier mass",
+                        gone, before.area, number),
+            "give each [[effects.release.mass]] ground of its own");
 }
 
 StagedRelease place_release(const CaseSpec& spec, const Site& site) {
@@ -128,6 +144,8 @@ StagedRelease place_release(const CaseSpec& spec, const Site& site) {
         shape.points = mass.outline;
         shape.places = {{"source.points", spec.place("effects.release.mass.points")}};
         const Source source = derive_source(ground, shape);
+        check_taken_once(spec, site, ground.ground, source.outline,
+                         static_cast<std::size_t>(&mass - release.masses.data()) + 1);
         mass.outline = source.outline;
         mass.bed = source.bed;
         mass.area = source.area;

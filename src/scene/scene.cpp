@@ -10,10 +10,12 @@
 #include "core/units.h"
 #include "scene/case_checks.h"
 #include "scene/case_spec.h"
+#include "scene/length_check.h"
 #include "scene/parameters.h"
 #include "scene/place_effects.h"
 #include "scene/read_ground.h"
 #include "scene/rest_check.h"
+#include "source/polygon_place.h"
 
 namespace runout {
 namespace {
@@ -75,6 +77,24 @@ void say_where_it_was_put(const CaseSpec& spec, const Site& site, std::vector<st
         assumed.push_back(fmt::format("source.drop_height_m = {:.6g}", source.drop_height));
 }
 
+/// A mass drawn by hand is part of the hill, or stands on the ground. What is drawn over the surface or hangs
+/// in the air is a slip, and would run out as if it were real.
+void check_polygon_place(const CaseSpec& spec, const Site& site) {
+    if (site.source.type != SourceType::polygon) return;
+    constexpr double drawing_error = 0.01;  // of the area: coordinates are decimals
+    const PolygonPlace place = polygon_place(site.profile.ground, site.source.outline);
+    const double outside = place.area - place.in_ground;
+    const double slack = drawing_error * place.area;
+    if (outside <= slack || (place.in_ground <= slack && place.air_below <= slack)) return;
+    const bool hangs = place.in_ground <= slack;
+    throw InputError(
+        spec.place("source.points"),
+        hangs ? fmt::format("lies in the air: all of its {:.4g} m2, with {:.4g} m2 of air below it",
+                            place.area, place.air_below)
+              : fmt::format("lies partly in the air: {:.4g} of its {:.4g} m2", outside, place.area),
+        "give a polygon within the hill, or one that stands on the ground and has nothing in it");
+}
+
 void check_particle_count(const CaseSpec& spec, double area) {
     const double spacing = spec.run.particle_spacing;
     if (spacing <= 0) return;  // from the resolution, whose range bounds the number
@@ -91,9 +111,6 @@ void check_friction_angle(const CaseSpec& spec) {
     if (std::isnan(spec.material.friction_angle))
         throw InputError(spec.place("material.friction_angle_deg"), "is missing",
                          "give the internal friction angle, 0 <= number < 80 deg");
-    const bool base = spec.has("effects.base_friction.angle_deg");
-    check_comes_to_rest(spec.material, spec.effects, spec.run,
-                        spec.place(base ? "effects.base_friction.angle_deg" : "material.friction_angle_deg"));
 }
 
 /// Cohesive soil is elastic where it does not yield; with the usual numbers it is so soft and so noisy that a
@@ -127,6 +144,7 @@ Site make_site(const CaseSpec& spec) {
     Site site;
     site.profile = std::move(ground.profile);
     site.source = derive_source(site.profile, with_defaults(spec, ground.mass, site.assumed));
+    check_polygon_place(spec, site);
     say_where_it_was_put(spec, site, site.assumed);
     return site;
 }
@@ -135,17 +153,20 @@ Scene make_scene(const CaseSpec& spec) {
     check_friction_angle(spec);
     Site site = make_site(spec);
     check_particle_count(spec, site.source.area);
+    check_lengths(spec, site.source.area);
     Effects effects = place_effects(spec, site);
     std::vector<Gauge> gauges = place_gauges(spec, site.profile);
     const RunSettings run = run_settings(spec, site.assumed);
-    return {.name = spec.name,
-            .profile = std::move(site.profile),
-            .source = std::move(site.source),
-            .material = spec.material,
-            .effects = std::move(effects),
-            .gauges = std::move(gauges),
-            .run = run,
-            .assumed = std::move(site.assumed)};
+    Scene scene{.name = spec.name,
+                .profile = std::move(site.profile),
+                .source = std::move(site.source),
+                .material = spec.material,
+                .effects = std::move(effects),
+                .gauges = std::move(gauges),
+                .run = run,
+                .assumed = std::move(site.assumed)};
+    check_comes_to_rest(scene, [&](std::string_view key) { return spec.place(key); });
+    return scene;
 }
 
 }  // namespace runout

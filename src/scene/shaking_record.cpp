@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "core/csv_rows.h"
@@ -13,6 +14,12 @@ namespace {
 
 constexpr std::array<std::string_view, 3> column_names = {"time_s", "horizontal_m_s2", "vertical_m_s2"};
 constexpr const char* header = "the header is time_s,horizontal_m_s2 or time_s,horizontal_m_s2,vertical_m_s2";
+
+// Strong-motion instruments take 100 to 2,000 samples a second; the greatest acceleration of the ground that
+// was ever recorded is 4.4 g (Aratozawa, 2008); no earthquake shook for ten minutes.
+constexpr double least_interval = 1e-5;  // s
+constexpr double longest_record = 3600;  // s
+constexpr double most_gravities = 5;
 
 /// Where each of column_names stands in the file; the last may be missing.
 std::array<std::size_t, 3> read_header(const CsvRow& row, const std::string& path) {
@@ -30,9 +37,34 @@ std::array<std::size_t, 3> read_header(const CsvRow& row, const std::string& pat
     return columns;
 }
 
+double time_of(const InputPlace& place, const std::vector<double>& earlier) {
+    const double time = csv_number(place, "give seconds, such as 0.25");
+    if (earlier.empty() && time != 0.0)
+        throw InputError(place, "is not 0 in the first row", "times start at 0 s and rise");
+    if (earlier.empty()) return time;
+    if (!(time > earlier.back())) throw InputError(place, "does not rise", "times start at 0 s and rise");
+    if (time - earlier.back() < least_interval)
+        throw InputError(place, fmt::format("comes {:.3g} s after the row before", time - earlier.back()),
+                         fmt::format("give rows at least {:g} s apart", least_interval));
+    if (time > longest_record)
+        throw InputError(place, "is later than any earthquake lasts",
+                         fmt::format("end the record by {:.0f} s", longest_record));
+    return time;
+}
+
+double acceleration_of(const InputPlace& place, double gravity) {
+    const double value = csv_number(place, "give m/s2, such as 2.5");
+    if (std::abs(value) > most_gravities * gravity)
+        throw InputError(place,
+                         fmt::format("is {:.3g} times the gravity of the run", std::abs(value) / gravity),
+                         fmt::format("give m/s2, up to {:.4g} (1 gal is 0.01 m/s2, 1 g is 9.81)",
+                                     most_gravities * gravity));
+    return value;
+}
+
 }  // namespace
 
-Shaking read_shaking_record(const std::string& path) {
+Shaking read_shaking_record(const std::string& path, double gravity) {
     const std::vector<CsvRow> rows =
         read_csv_rows(path, "give the path of a CSV file with time_s,horizontal_m_s2");
     if (rows.size() < 3)
@@ -45,19 +77,12 @@ Shaking read_shaking_record(const std::string& path) {
         if (row.fields.size() != rows.front().fields.size())
             throw InputError({path, row.line, "", ""}, fmt::format("has {} fields", row.fields.size()),
                              fmt::format("give {}, as in the header", rows.front().fields.size()));
-        const auto value = [&](std::size_t c) {
-            return csv_number({path, row.line, std::string(column_names[c]), row.fields[columns[c]]},
-                              "give a number, such as 0.25");
+        const auto place = [&](std::size_t c) {
+            return InputPlace{path, row.line, std::string(column_names[c]), row.fields[columns[c]]};
         };
-        const double time = value(0);
-        const bool rises = shaking.time.empty() ? time == 0.0 : time > shaking.time.back();
-        if (!rises)
-            throw InputError({path, row.line, "time_s", row.fields[columns[0]]},
-                             shaking.time.empty() ? "is not 0 in the first row" : "does not rise",
-                             "times start at 0 s and rise");
-        shaking.time.push_back(time);
-        shaking.horizontal.push_back(value(1));
-        shaking.vertical.push_back(columns[2] < row.fields.size() ? value(2) : 0.0);
+        shaking.time.push_back(time_of(place(0), shaking.time));
+        shaking.horizontal.push_back(acceleration_of(place(1), gravity));
+        shaking.vertical.push_back(columns[2] < row.fields.size() ? acceleration_of(place(2), gravity) : 0.0);
     }
     return shaking;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ranges>
 
+#include "source/polygon_place.h"
 #include "source/shapes.h"
 #include "source/spec_check.h"
 
@@ -129,6 +130,12 @@ Source derive_polygon(const Profile& profile, const SourceSpec& spec) {
     if (stands_on(profile.ground, source.bed, tolerance))
         source.bed = without_needless_points(profile.ground, 1e-10 * extent(profile.ground));
     return source;
+}
+
+PolygonPlace polygon_place(const Polyline& ground, const Polygon& outline) {
+    const auto region = simple_polygon(outline);
+    if (!region) return {};
+    return {region->area(), region->area_in(ground), region->air_below(ground)};
 }
 
 Source derive_slip_surface(const Profile& profile, const SourceSpec& spec) {

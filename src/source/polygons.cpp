@@ -112,23 +112,26 @@ ExactPolygon hill(const Polyline& ground, const Frame& frame) {
     return polygon;
 }
 
-/// Everything vertically above a counter-clockwise polygon, itself included, up to `top`.
-PolygonSet upward_shadow(const ExactPolygon& polygon, double top) {
+/// Everything vertically between a counter-clockwise polygon and the level `y`, which is above or below all
+/// of it; the polygon itself included.
+PolygonSet shadow(const ExactPolygon& polygon, double y) {
+    const bool upward = Number(y) >= polygon.top_vertex()->y();
     std::vector<ExactPolygon> columns;
     for (auto edge = polygon.edges_begin(); edge != polygon.edges_end(); ++edge) {
         const Point a = edge->source();
         const Point b = edge->target();
-        if (a.x() >= b.x()) continue;  // lower edges run towards +x
+        if (upward ? a.x() >= b.x() : a.x() <= b.x())
+            continue;  // lower edges run towards +x, upper ones back
         ExactPolygon column;
         column.push_back(a);
         column.push_back(b);
-        column.push_back(Point(b.x(), top));
-        column.push_back(Point(a.x(), top));
+        column.push_back(Point(b.x(), y));
+        column.push_back(Point(a.x(), y));
         columns.push_back(column);
     }
-    PolygonSet shadow;
-    shadow.join(columns.begin(), columns.end());
-    return shadow;
+    PolygonSet all;
+    all.join(columns.begin(), columns.end());
+    return all;
 }
 
 /// Upper boundary of what is left of the hill, from the left shelf to the right one.
@@ -217,6 +220,28 @@ double Region::area_above(const Vec2& point, double angle) const {
     return rounded(sum);
 }
 
+double Region::area_in(const Polyline& ground) const {
+    Frame frame(ground);
+    frame.include(exact_->polygon);
+    Number sum = 0;
+    for (const ExactPolygon& part : common_part(exact_->polygon, hill(ground, frame))) sum += part.area();
+    return rounded(sum);
+}
+
+double Region::air_below(const Polyline& ground) const {
+    Frame frame(ground);
+    frame.include(exact_->polygon);
+    PolygonSet air = shadow(exact_->polygon, frame.bottom);
+    air.difference(hill(ground, frame));
+    air.difference(exact_->polygon);
+    Number sum = 0;
+    for (const Piece& piece : pieces_of(air)) {
+        sum += piece.outer_boundary().area();
+        for (const ExactPolygon& hole : piece.holes()) sum += hole.area();  // negative: clockwise
+    }
+    return rounded(sum);
+}
+
 bool Region::touches(const Polyline& ground, const GroundPoint& point) const {
     return has_on_boundary(exact_->polygon, exact(ground, point));
 }
@@ -225,7 +250,7 @@ Polyline Region::bed_in(const Polyline& ground) const {
     Frame frame(ground);
     frame.include(exact_->polygon);
     PolygonSet left(hill(ground, frame));
-    left.difference(upward_shadow(exact_->polygon, frame.top));
+    left.difference(shadow(exact_->polygon, frame.top));
 
     Polyline bed;
     for (const Point& corner : upper_boundary(pieces_of(left).front().outer_boundary())) {

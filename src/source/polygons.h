@@ -24,6 +24,10 @@ class Region {
     [[nodiscard]] double area() const;
     /// Area above the straight line through `point` that rises uphill (towards -x) at `angle`, m2.
     [[nodiscard]] double area_above(const Vec2& point, double angle) const;
+    /// Area of the part that lies in the ground, m2.
+    [[nodiscard]] double area_in(const Polyline& ground) const;
+    /// Area of what is neither ground nor region, and has some of the region above it, m2.
+    [[nodiscard]] double air_below(const Polyline& ground) const;
     /// Whether a point of the ground lies exactly on the outline.
     [[nodiscard]] bool touches(const Polyline& ground, const GroundPoint& point) const;
     /// What is left of the ground when the region and all ground vertically above it have gone, from the

@@ -168,11 +168,12 @@ Scene stress_scene(const StressPoint& p, const std::string& name) {
     scene.source = derive_source(scene.profile, spec);
     scene.material.friction_angle = radians(p.friction_angle_deg);
     scene.effects = effects_of(p);
-    check_comes_to_rest(scene.material, scene.effects, scene.run,
-                        {.file = name, .line = 0, .key = "effects.base_friction.angle_deg", .value = {}});
     scene.run.resolution = p.resolution;
     scene.run.gravity = p.gravity_m_s2;
     scene.run.threads = 1;
+    check_comes_to_rest(scene, [&](std::string_view key) {
+        return InputPlace{.file = name, .line = 0, .key = std::string(key), .value = {}};
+    });
     return scene;
 }
 

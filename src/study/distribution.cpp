@@ -96,6 +96,8 @@ void reorder(MatrixXd& table, const MatrixXd& lower, std::mt19937_64& random) {
 }  // namespace
 
 double quantile(const Distribution& d, double probability) {
+    // A law without ends has none at 0 and 1.
+    probability = std::clamp(probability, 1e-18, 1 - 0x1p-53);
     switch (d.shape) {
         case Distribution::Shape::normal:
             return cut_quantile(boost::math::normal(d.mean, d.deviation), d, probability);
@@ -123,8 +125,8 @@ void check_share(const Factor& factor) {
         has_share = false;
     }
     if (!has_share)
-        throw InputError(factor.place, "has no share of its distribution between its ends",
-                         "give ends that enclose some of it");
+        throw InputError(factor.place, "is a distribution that nothing can be drawn from",
+                         "give ends within a few deviations of the mean, and numbers of one size");
 }
 
 MatrixXd latin_hypercube(int samples, const MatrixXd& rank_correlation, std::uint64_t seed) {

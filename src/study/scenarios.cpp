@@ -67,28 +67,6 @@ std::vector<Settings> samples_of(const Study& study) {
     return rows;
 }
 
-std::vector<Settings> full_design(const Study& study) {
-    std::vector<Settings> rows = {Settings{}};
-    for (const Factor& factor : study.factors) {
-        if (factor.is_sampled()) continue;
-        std::vector<Settings> longer;
-        for (const Settings& row : rows)
-            for (const std::string& value : list_of(factor)) {
-                longer.push_back(row);
-                longer.back().emplace_back(factor.key, value);
-            }
-        rows = std::move(longer);
-    }
-    std::vector<Settings> all;
-    const std::vector<Settings> samples = samples_of(study);
-    for (const Settings& row : rows)
-        for (const Settings& sample : samples) {
-            all.push_back(row);
-            all.back().insert(all.back().end(), sample.begin(), sample.end());
-        }
-    return all;
-}
-
 std::vector<std::string> alone(const Factor& factor) {
     if (!factor.is_sampled()) return list_of(factor);
     std::vector<std::string> values;
@@ -110,6 +88,15 @@ std::vector<Settings> one_at_a_time_design(const Study& study) {
             all.back()[i].second = value;
         }
     return all;
+}
+
+void check_count(const Study& study, double count) {
+    if (count > most_combinations_of_a_study)
+        throw InputError(
+            {.file = study.file, .line = 0, .key = "vary", .value = {}},
+            fmt::format("asks for {:.9g} combinations", count),
+            fmt::format("give at most {:.0f}: fewer or shorter lists, or samples of distributions",
+                        most_combinations_of_a_study));
 }
 
 CaseSpec with_settings(const CaseSpec& base, const Settings& settings, const std::string& file) {
@@ -152,25 +139,53 @@ double combination_count(const Study& study) {
     return study.design == StudyDesign::full ? product : sum;
 }
 
-std::vector<Settings> combinations(const Study& study) {
-    return study.design == StudyDesign::full ? full_design(study) : one_at_a_time_design(study);
+Combinations::Combinations(const Study& study) {
+    check_count(study, combination_count(study));
+    const bool full = study.design == StudyDesign::full;
+    samples_ = full ? samples_of(study) : one_at_a_time_design(study);
+    size_ = samples_.size();
+    if (!full) return;
+    for (const Factor& factor : study.factors) {
+        if (factor.is_sampled()) continue;
+        lists_.push_back(factor);
+        size_ *= list_of(factor).size();
+    }
 }
 
-ScenarioList::ScenarioList(const Study& study) : base_(base_of(study)), file_(study.file) {
-    for (Settings& settings : combinations(study)) {
-        const CaseSpec spec = with_settings(base_, settings, file_);
-        std::vector<SectionCase> sections = section_cases(spec);
+std::vector<Setting> Combinations::operator[](std::size_t index) const {
+    const Settings& sample = samples_[index % samples_.size()];
+    std::size_t left = index / samples_.size();
+    Settings settings(lists_.size());
+    for (std::size_t i = lists_.size(); i-- > 0;) {
+        const std::vector<std::string>& values = list_of(lists_[i]);
+        settings[i] = {lists_[i].key, values[left % values.size()]};
+        left /= values.size();
+    }
+    settings.insert(settings.end(), sample.begin(), sample.end());
+    return settings;
+}
+
+ScenarioList::ScenarioList(const Study& study)
+    : base_(base_of(study)), file_(study.file), combinations_(study) {
+    for (std::size_t k = 0; k < combinations_.size(); ++k) {
+        std::vector<SectionCase> sections = section_cases(with_settings(base_, combinations_[k], file_));
         const bool many = sections.size() > 1;
+        check_count(study, static_cast<double>(places_.size() + sections.size()));
         for (SectionCase& section : sections) {
             std::shared_ptr<const SectionFeature> line;
             if (many) line = std::make_shared<const SectionFeature>(std::move(*section.line));
-            scenarios_.push_back({settings, section.spec.name, std::move(line)});
+            places_.push_back({k, section.spec.name, std::move(line)});
         }
     }
 }
 
+Scenario ScenarioList::operator[](std::size_t index) const {
+    const Place& place = places_.at(index);
+    return {combinations_[place.combination], place.name, place.line};
+}
+
 CaseSpec ScenarioList::case_of(std::size_t index) const {
-    const Scenario& scenario = scenarios_.at(index);
+    const Scenario scenario = (*this)[index];
     CaseSpec spec = with_settings(base_, scenario.settings, file_);
     spec.name = scenario.name;
     if (!scenario.line) return spec;

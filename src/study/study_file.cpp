@@ -1,16 +1,17 @@
 #include "study/study_file.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <sstream>
 
-#include "core/text_file.h"
+#include "scene/toml_reading.h"
 #include "study/distribution.h"
 
 namespace runout {
@@ -20,14 +21,11 @@ namespace fs = std::filesystem;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int most_values_of_a_range = 10'000;
+constexpr std::size_t longest_quoted = 60;  // of a key or a value, in a message
 constexpr std::array study_keys = {"name", "case", "design", "samples", "seed"};
 constexpr std::array shapes = {"normal", "lognormal", "triangular", "uniform"};
 // Values that name a file, from the study's folder.
-constexpr std::array path_keys = {"section.file", "section.raster", "section.line"};
-
-std::string read_text(const std::string& path) {
-    return read_text_file(path, "give a study (.toml)");
-}
+constexpr std::array path_keys = {"section.file", "section.raster", "section.line", "effects.shaking.record"};
 
 std::string text_of(const toml::node& node) {
     if (const auto text = node.value_exact<std::string>()) return *text;
@@ -49,8 +47,8 @@ class StudyReader {
             if (name != "study" && name != "vary" && name != "correlation")
                 throw InputError(place(name, node), "is not known", "valid: study, vary, correlation");
         }
-        if (const toml::table* table = root["study"].as_table()) read_head(*table);
-        if (const toml::table* table = root["vary"].as_table()) read_factors("", *table);
+        if (const toml::table* table = table_of(root, "study")) read_head(*table);
+        if (const toml::table* table = table_of(root, "vary")) read_factors("", *table);
         if (study_.factors.empty())
             throw InputError({.file = study_.file, .line = 0, .key = "vary", .value = {}},
                              "names nothing to vary",
@@ -62,10 +60,29 @@ class StudyReader {
   private:
     [[nodiscard]] InputPlace place(std::string key, const toml::node& node) const {
         const bool simple = !node.is_table() && !node.is_array();
+        std::string value = simple ? text_of(node) : std::string();
+        for (std::string* text : {&key, &value})
+            if (text->size() > longest_quoted) *text = text->substr(0, longest_quoted) + "...";
         return {.file = study_.file,
                 .line = static_cast<int>(node.source().begin.line),
                 .key = std::move(key),
-                .value = simple ? text_of(node) : std::string()};
+                .value = std::move(value)};
+    }
+
+    /// nullptr where it is not there.
+    [[nodiscard]] const toml::table* table_of(const toml::table& root, const char* name) const {
+        const toml::node* node = root.get(name);
+        if (node != nullptr && !node->is_table())
+            throw InputError(place(name, *node), "is not a table", fmt::format("write [{}]", name));
+        return node == nullptr ? nullptr : node->as_table();
+    }
+
+    [[nodiscard]] std::string word(const char* key, const toml::node& node) const {
+        const auto text = node.value_exact<std::string>();
+        if (!text || text->empty() || text->find('\0') != std::string::npos)
+            throw InputError(place(fmt::format("study.{}", key), node), "is not a text in quotes",
+                             "give one without a zero byte");
+        return *text;
     }
 
     void read_head(const toml::table& table) {
@@ -75,8 +92,8 @@ class StudyReader {
                 throw InputError(place("study." + name, node), "is not known",
                                  fmt::format("valid: {}", fmt::join(study_keys, ", ")));
         }
-        study_.name = table["name"].value_or(study_.name);
-        if (const toml::node* node = table.get("case")) study_.case_file = in_folder(text_of(*node));
+        if (const toml::node* node = table.get("name")) study_.name = word("name", *node);
+        if (const toml::node* node = table.get("case")) study_.case_file = in_folder(word("case", *node));
         if (const toml::node* node = table.get("design")) study_.design = design_of(*node);
         if (const toml::node* node = table.get("samples"))
             study_.samples = static_cast<int>(count_of("samples", *node, 1'000'000));
@@ -109,6 +126,11 @@ class StudyReader {
                 read_factors(name + ".", *inner);
                 continue;
             }
+            const auto earlier = std::ranges::find(study_.factors, name, &Factor::key);
+            if (earlier != study_.factors.end())
+                throw InputError(place(name, node),
+                                 fmt::format("is varied in line {} too", earlier->place.line),
+                                 "vary it once");
             study_.factors.push_back({name, values_of(name, node), place(name, node)});
         }
     }
@@ -140,7 +162,7 @@ class StudyReader {
         const toml::node* node = table.get(key);
         if (node == nullptr)
             throw InputError(place(name, table), fmt::format("has no {}", key), "give a number");
-        const auto value = node->value<double>();
+        const std::optional<double> value = number_in(*node);
         if (!value || !std::isfinite(*value))
             throw InputError(place(fmt::format("{}.{}", name, key), *node), "is not a number",
                              "give a number");
@@ -277,16 +299,10 @@ class StudyReader {
 Study read_study(const std::string& path) {
     Study study;
     study.file = path;
-    study.text = read_text(path);
+    study.text = read_toml_text(path, "give a study (.toml)");
     study.name = fs::path(path).stem().string();
-    try {
-        const toml::table root = toml::parse(study.text, path);
-        StudyReader(study).read(root);
-        for (const Factor& factor : study.factors) check_share(factor);
-    } catch (const toml::parse_error& error) {
-        throw InputError({path, static_cast<int>(error.source().begin.line), {}, {}},
-                         fmt::format("is not valid TOML ({})", error.description()), "write key = value");
-    }
+    StudyReader(study).read(parse_toml(study.text, path));
+    for (const Factor& factor : study.factors) check_share(factor);
     return study;
 }
 

@@ -1,18 +1,13 @@
 #include "fuzz/targets.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 
-#include "core/input_error.h"
+#include "fuzz/bytes.h"
 #include "profile/profile.h"
 #include "profile/read_section_table.h"
 #include "profile/section_file.h"
@@ -22,30 +17,6 @@
 
 namespace runout::fuzz {
 namespace {
-
-void require(bool holds, const char* promise) {
-    if (holds) return;
-    fmt::print(stderr, "broken promise: {}\n", promise);
-    std::abort();
-}
-
-/// The readers take a path.
-std::string written(std::span<const std::uint8_t> bytes, const char* extension) {
-    static const std::string stem =
-        (std::filesystem::temp_directory_path() / fmt::format("runout-fuzz-{}", getpid())).string();
-    std::ofstream file(stem + extension, std::ios::binary | std::ios::trunc);
-    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    return stem + extension;
-}
-
-template <class Action>
-void accept_input_error(const Action& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        require(std::strlen(error.what()) > 20, "an InputError is a sentence");
-    }
-}
 
 void check(const Profile& profile) {
     require(profile.ground.size() >= 2, "a profile has two points");
@@ -69,31 +40,6 @@ void check(const Source& source) {
         require(source.bed[i].x() >= source.bed[i - 1].x(), "the bed never goes back");
     require(std::isfinite(source.drop_height), "the drop height is finite");
 }
-
-/// Numbers of all sizes from bytes, zeros when they run out.
-class Numbers {
-  public:
-    explicit Numbers(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-
-    [[nodiscard]] bool empty() const { return at_ >= bytes_.size(); }
-    std::uint8_t byte() { return empty() ? std::uint8_t{0} : bytes_[at_++]; }
-    /// Most are short decimals, as in a section; some are any double.
-    double number() {
-        const std::uint8_t kind = byte();
-        if (kind > 250) {
-            double any = 0;
-            for (std::size_t k = 0; k < sizeof any; ++k) reinterpret_cast<std::uint8_t*>(&any)[k] = byte();
-            return any;
-        }
-        const int whole = byte() * 256 + byte() - 32768;
-        return whole * std::pow(10.0, -static_cast<double>(kind % 5));
-    }
-    double size() { return std::abs(number()); }
-
-  private:
-    std::span<const std::uint8_t> bytes_;
-    std::size_t at_ = 0;
-};
 
 std::vector<Vec2> points_from(Numbers& numbers, std::size_t count, bool forwards) {
     std::vector<Vec2> points;
