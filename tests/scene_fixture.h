@@ -67,6 +67,8 @@ inline std::string sample_text(const Parameter& parameter) {
             return std::string(parameter.choices.back());
         case ValueKind::text:
             return "a-name";
+        case ValueKind::place:
+            return "[1.0, 2.0]";
         case ValueKind::points:
             return "[[1.0, 2.0], [3.0, 4.0], [1, 3]]";
         case ValueKind::numbers:
