@@ -5,21 +5,13 @@
 
 #include <algorithm>
 
+#include "core/csv_cell.h"
+#include "core/printable.h"
+
 namespace runout {
 namespace {
 
 constexpr const char* option = "--refused";
-
-/// A text in quotes, which a spreadsheet takes for no formula.
-std::string cell(const std::string& text) {
-    std::string quoted = "\"";
-    if (!text.empty() && std::string("=+-@\t\r").find(text.front()) != std::string::npos) quoted += '\'';
-    for (const char letter : text) {
-        if (letter == '"') quoted += '"';
-        quoted += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
-    }
-    return quoted + '"';
-}
 
 }  // namespace
 
@@ -58,7 +50,8 @@ std::string SectionTally::summary() const {
 }
 
 void tell_refused(const RefusedSection& section) {
-    spdlog::error("feature {} ({}) is refused: {}", section.feature_id, section.name, section.reason);
+    spdlog::error("feature {} ({}) is refused: {}", section.feature_id, printable(section.name),
+                  printable(section.reason));
 }
 
 std::string good_and_refused(std::size_t good, std::size_t refused) {
@@ -78,8 +71,8 @@ void write_refused(const std::string& path, const std::vector<RefusedSection>& s
     if (path.empty()) return;
     std::string text = "origin,feature_id,name,reason\n";
     for (const RefusedSection& section : sections)
-        text += fmt::format("{},{},{},{}\n", cell(section.origin), section.feature_id, cell(section.name),
-                            cell(section.reason));
+        text += fmt::format("{},{},{},{}\n", csv_cell(section.origin), section.feature_id,
+                            csv_cell(section.name), csv_cell(section.reason));
     write_output_file(path, option, text, rules);
 }
 
