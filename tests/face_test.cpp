@@ -222,6 +222,27 @@ TEST_F(Shapes, AreTheSameMirroredToTheBit) {
     }
 }
 
+TEST_F(Shapes, HaveTheSameCrestWhenTheirToeIsGivenAndTheOtherWayRound) {
+    std::mt19937 random(7);
+    for (const FaceShape& shape : shapes)
+        for (int i = 0; i < variants; ++i) {
+            std::vector<Vec2> points = shape.points;
+            if (i > 0) {  // a dense survey
+                points.clear();
+                const double first = shape.points.front().x() + uniform(random, 0, 0.5);
+                for (double x = first; x < shape.points.back().x(); x += 0.5)
+                    points.emplace_back(x, elevation(shape.points, x) + uniform(random, -0.05, 0.05));
+            }
+            const Profile found = profile_of(points);
+            ProfileOptions toe;
+            toe.toe_chainage_m = found.toe_chainage_m;
+            EXPECT_NEAR(crest_chainage(profile_of(points, toe)), crest_chainage(found), 0.05) << shape.name;
+            ProfileOptions crest;
+            crest.crest_chainage_m = crest_chainage(found);
+            EXPECT_NEAR(profile_of(points, crest).toe_chainage_m, found.toe_chainage_m, 0.05) << shape.name;
+        }
+}
+
 TEST_F(Shapes, AreTheSameOnAMapGrid) {
     for (const FaceShape& shape : shapes) {
         std::vector<Vec2> far = shape.points;

@@ -17,7 +17,7 @@ std::atomic<long> allocations{0};
 
 // Every allocation of the program under test is counted; the replaced functions must be global. Inlined, new
 // and free look mismatched to g++.
-void* operator new(std::size_t size) {
+[[gnu::noinline]] void* operator new(std::size_t size) {
     ++allocations;
     if (void* memory = std::malloc(size)) return memory;
     throw std::bad_alloc();

@@ -171,14 +171,16 @@ std::size_t point_beside(Polyline& ground, std::size_t end, double x) {
 
 }  // namespace
 
-PlacedEnds placed_ends(Polyline& ground, const Face& face, double scale) {
+PlacedEnds placed_ends(Polyline& ground, const Face& face, double scale, const GivenEnds& given) {
     Descent ends = face.ends;
     std::optional<Vec2> toe;
-    if (const auto rim = rim_above(ground, ends.toe, scale))
+    std::optional<Vec2> crest;
+    const auto rim = given.toe ? std::nullopt : rim_above(ground, ends.toe, scale);
+    if (rim)
         ends.toe = lowest_of_face(ground, {ends.crest, point_at_level(ground, ends, *rim)}, face.inclination);
-    else
+    else if (!given.toe)
         toe = bend_at(ground, ends.toe, -1, scale);
-    const std::optional<Vec2> crest = bend_at(ground, ends.crest, +1, scale);
+    if (!given.crest) crest = bend_at(ground, ends.crest, +1, scale);
     if (toe) ends.toe = point_beside(ground, ends.toe, toe->x());
     const std::size_t points = ground.size();
     if (crest) ends.crest = point_beside(ground, ends.crest, crest->x());

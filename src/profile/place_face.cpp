@@ -75,49 +75,73 @@ Polyline seen_from(const std::vector<Vec2>& points, bool with_chainage) {
     return ground;
 }
 
-/// Of the faces between the given ends the one that reaches the given end, or else the heaviest.
-void prefer(std::vector<Face>& faces, double relief, const auto& gap_to_given_end) {
-    const auto reaches = [&](const Face& face) {
-        return gap_to_given_end(face) <= std::max(0.1 * relief, 0.6 * face.height);
+/// What the user says of toe and crest, as places on a ground.
+struct Given {
+    bool toe = false;
+    bool crest = false;
+    Descent at;  ///< the ends of the ground where nothing is given
+};
+
+Given given_on(Polyline& ground, const ProfileOptions& options, double sign) {
+    Given given{!std::isnan(options.toe_chainage_m), !std::isnan(options.crest_chainage_m), {}};
+    const double tolerance = reading_tolerance(relief_of(ground));
+    const double toe = given.toe ? point_near(ground, sign * options.toe_chainage_m, tolerance) : 0;
+    const double crest = given.crest ? point_near(ground, sign * options.crest_chainage_m, tolerance) : 0;
+    given.at.crest = given.crest ? first_at(ground, crest) : 0;
+    given.at.toe = given.toe ? last_at(ground, toe) : ground.size() - 1;
+    return given;
+}
+
+/// Puts the first face first whose given ends lie within `reach(face)` of where they are given; false: none.
+bool put_first_what_fits(const Polyline& ground, const Given& given, std::vector<Face>& faces,
+                         const auto& reach) {
+    const auto fits = [&](const Face& face) {
+        const auto near = [&](std::size_t a, std::size_t b) {
+            return std::abs(ground[a].x() - ground[b].x()) <= reach(face);
+        };
+        return (!given.toe || near(face.ends.toe, given.at.toe)) &&
+               (!given.crest || near(face.ends.crest, given.at.crest));
     };
-    const auto chosen = std::ranges::find_if(faces, reaches);
-    if (chosen != faces.end()) std::rotate(faces.begin(), chosen, chosen + 1);
+    const auto found = std::ranges::find_if(faces, fits);
+    if (found == faces.end()) return false;
+    std::rotate(faces.begin(), found, found + 1);
+    return true;
+}
+
+/// Faces of the ground between the given ends, or of the whole ground where one of them has its end there: a
+/// given end is then the one that would have been found.
+FaceSearch faces_for(const Polyline& ground, const Given& given) {
+    FaceSearch whole = find_faces(ground);
+    if (!given.toe && !given.crest) return whole;
+    const auto close = [&](const Face& face) { return 0.1 * scale_of(face, whole.relief); };
+    if (put_first_what_fits(ground, given, whole.faces, close)) return whole;
+
+    const Polyline between(ground.begin() + static_cast<long>(given.at.crest),
+                           ground.begin() + static_cast<long>(given.at.toe) + 1);
+    FaceSearch part = find_faces(between);
+    for (Face& face : part.faces)
+        face.ends = {face.ends.crest + given.at.crest, face.ends.toe + given.at.crest};
+    put_first_what_fits(ground, given, part.faces, [](const Face& face) { return 0.6 * face.height; });
+    return part;
 }
 
 /// Toe and crest on one side of the section.
 Side searched(const std::vector<Vec2>& points, const ProfileOptions& options, bool with_chainage) {
     Side side{with_chainage, seen_from(points, with_chainage), {}};
-    Polyline& ground = side.ground;
-    const double sign = with_chainage ? 1.0 : -1.0;
-    const bool toe_given = !std::isnan(options.toe_chainage_m);
-    const bool crest_given = !std::isnan(options.crest_chainage_m);
-    const double tolerance = reading_tolerance(relief_of(ground));
-    double toe_x = sign * options.toe_chainage_m;
-    double crest_x = sign * options.crest_chainage_m;
-    if (toe_given) toe_x = point_near(ground, toe_x, tolerance);
-    if (crest_given) crest_x = point_near(ground, crest_x, tolerance);
-    const std::size_t first = crest_given ? first_at(ground, crest_x) : 0;
-    const std::size_t last = toe_given ? last_at(ground, toe_x) : ground.size() - 1;
-    side.ends = {first, toe_given ? last : first};
-    if (first >= last || (toe_given && crest_given)) return side;
+    const Given given = given_on(side.ground, options, with_chainage ? 1.0 : -1.0);
+    const Descent& at = given.at;
+    side.ends = given.toe ? at : Descent{at.crest, at.crest};
+    if (at.crest >= at.toe || (given.toe && given.crest)) return side;
 
-    const Polyline between(ground.begin() + static_cast<long>(first),
-                           ground.begin() + static_cast<long>(last) + 1);
-    FaceSearch search = find_faces(between);
-    if (toe_given)
-        prefer(search.faces, search.relief, [&](const Face& f) { return toe_x - between[f.ends.toe].x(); });
-    if (crest_given)
-        prefer(search.faces, search.relief,
-               [&](const Face& f) { return between[f.ends.crest].x() - crest_x; });
-    for (Face& face : search.faces) face.ends = {face.ends.crest + first, face.ends.toe + first};
+    FaceSearch search = faces_for(side.ground, given);
     side.faces = std::move(search.faces);
     if (side.faces.empty()) {
-        if (toe_given) side.ends.crest = last;
+        if (given.toe) side.ends.crest = at.toe;
         return side;
     }
-    side.scale = scale_of(side.faces.front(), search.relief);
-    const Descent found = side.faces.front().ends;
-    side.ends = {crest_given ? first : found.crest, toe_given ? last : found.toe};
+    const Face& found = side.faces.front();
+    side.scale = scale_of(found, search.relief);
+    side.ends = {given.crest ? at.crest : found.ends.crest, given.toe ? at.toe : found.ends.toe};
     return side;
 }
 
@@ -176,12 +200,14 @@ PlacedFace place_face(const std::vector<Vec2>& points, const ProfileOptions& opt
             add_doubt_of_other_side(placed.doubts, side.faces.front(),
                                     {other->ground, other->with_chainage, other->scale},
                                     other->faces.front());
-        const auto [ends, inclination] = placed_ends(placed.ground, side.faces.front(), side.scale);
-        placed.ends = ends;
-        placed.inclination = inclination;
     } else if (toe_given && !crest_given) {
         placed.doubts = doubts_about_given_toe(seen, side.faces.front(), side.ends.toe);
     }
+    Face face = side.faces.front();
+    face.ends = side.ends;
+    const auto [ends, inclination] = placed_ends(placed.ground, face, side.scale, {toe_given, crest_given});
+    placed.ends = ends;
+    placed.inclination = inclination;
     return placed;
 }
 
