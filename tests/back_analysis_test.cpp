@@ -82,7 +82,7 @@ TEST_F(BackAnalysisTest, RefusesWhatItCannotUse) {
     write("ranges.csv", "");
     EXPECT_TRUE(contains(refusal_to_read(), "is empty"));
     fs::remove(fs::path(folder) / "ranges.csv");
-    EXPECT_TRUE(contains(refusal_to_read(), "cannot be read"));
+    EXPECT_TRUE(contains(refusal_to_read(), "ranges.csv: does not exist"));
     folder += "-that-is-not-there";
     EXPECT_TRUE(contains(refusal_to_read(), "is not a folder"));
 }

@@ -142,6 +142,7 @@ class ComparisonTest : public StoreTest {
         scene.profile.ground = {{-30, 10}, {-10, 10}, {0, 0}, {60, 0}};
         scene.profile.crest = 1;
         scene.profile.toe = 2;
+        scene.profile.slope_angle = radians(45);
         scene.source.bed = scene.profile.ground;
         scene.source.head = {-15, 10};
         RunResult result = example_result();

@@ -362,7 +362,7 @@ TEST_F(ResultMapTest, AMapReplacesItsOwnUntilItWasEdited) {
             ASSERT_TRUE(data);
             OGRLayer* layer = data->GetLayer(0);
             const OGRFeatureUniquePtr feature(layer->GetNextFeature());
-            feature->SetField("run_out_m", 99.0);
+            feature->SetField(0, 99);  // the number of the run
             ASSERT_EQ(layer->SetFeature(feature.get()), OGRERR_NONE);
         }
         EXPECT_TRUE(

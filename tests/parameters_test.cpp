@@ -33,6 +33,13 @@ std::string everything(const CaseSpec& c) {
     const MapSection& m = c.section.map;
     std::string text = fmt::format("{}|{}|{}|{}|", c.name, c.section.file, c.section.options.toe_chainage_m,
                                    c.section.options.crest_chainage_m);
+    const SectionFileOptions& f = c.section.format;
+    text += fmt::format("{}|{}|{}|{}|{}|{}|{}|", f.columns, f.unit, f.decimal, f.dxf_layers,
+                        f.landxml.alignment, f.landxml.station, f.landxml.surface);
+    const LinePlacing& p = c.section.placing;
+    text += fmt::format("{}|{} {}|{}|{}|{}|{}|", p.crs, p.origin.x(), p.origin.y(), p.origin_chainage_m,
+                        p.bearing, p.towards ? fmt::format("{} {}", p.towards->x(), p.towards->y()) : "",
+                        m.zero_is_ground);
     text += fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|", m.raster, m.sampling_m, m.smoothing_m,
                         static_cast<int>(m.options.interpolation), m.options.crs, m.options.elevation_unit,
                         m.line.file, m.line.layer, m.line.where, m.line.feature_id.value_or(-1), m.line.crs);

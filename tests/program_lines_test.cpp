@@ -44,8 +44,8 @@ TEST_F(ProgramLines, OneBadLineDoesNotStopTheOthers) {
     EXPECT_TRUE(profile.out.ends_with("2 good, 1 refused\n")) << profile.out;
     EXPECT_TRUE(contains(profile.err,
                          "feature 1 (B) is refused: l.geojson: feature 1 = LINESTRING: has no elevations"));
-    EXPECT_TRUE(contains(text_of(work("bad.csv")),
-                         "origin,feature_id,name,reason\n\"l.geojson, layer cuts\",1,\"B\","));
+    EXPECT_TRUE(
+        contains(text_of(work("bad.csv")), "origin,feature_id,name,reason\n\"l.geojson, layer cuts\",1,B,"));
 
     const Outcome run = runout(with_source({"run", "l.geojson", "--db", "l.db", "--quiet"}));
     EXPECT_EQ(run.exit_code, 1) << run.err;

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "core/version.h"
+#include "engine/instruction_set.h"
 #include "program_fixture.h"
 #include "scene/parameters.h"
 #include "store/store.h"
@@ -17,8 +18,9 @@ TEST_F(ProgramTest, TellsItsVersionAndRevision) {
     const Outcome outcome = runout({"--version"});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");
-    EXPECT_EQ(outcome.out, fmt::format("runout {} (revision {}, {})\n", program_version(), program_revision(),
-                                       compiler_description()));
+    EXPECT_EQ(outcome.out,
+              fmt::format("runout {} (revision {}, {}, {} instructions)\n", program_version(),
+                          program_revision(), compiler_description(), to_string(instruction_set())));
     EXPECT_FALSE(program_revision().empty());
 }
 
@@ -50,9 +52,10 @@ TEST_F(ProgramTest, HelpKeysTellsEveryKeyWithRangeAndDefault) {
 
 TEST_F(ProgramTest, RefusesCommandLinesItDoesNotUnderstand) {
     expect_refused({}, {"subcommand"});
-    expect_refused({"rnu", "case.toml"},
-                   {"rnu is not a subcommand",
-                    "run, profile, source, effects, sweep, merge, delete, table, estimate, accuracy, map"});
+    expect_refused(
+        {"rnu", "case.toml"},
+        {"rnu is not a subcommand",
+         "run, new, profile, source, effects, sweep, merge, delete, table, estimate, accuracy, map"});
     expect_refused({"run"}, {"FILE"});
     expect_refused({"run", "case.toml", "--angle", "3"}, {"--angle"});
     expect_refused({"run", "case.toml", "--friction-angle"}, {"--friction-angle"});

@@ -87,9 +87,8 @@ bool RasterCells::goes_on(const Cell& before, const Cell& cell) const {
 
 void RasterCells::read(std::string& reason) {
     std::ranges::sort(cells_, [this](const Cell& a, const Cell& b) { return is_before(a, b); });
-    const auto repeated = std::ranges::unique(
-        cells_, [](const Cell& a, const Cell& b) { return a.row == b.row && a.column == b.column; });
-    cells_.erase(repeated.begin(), repeated.end());
+    const auto same = [](const Cell& a, const Cell& b) { return a.row == b.row && a.column == b.column; };
+    cells_.erase(std::unique(cells_.begin(), cells_.end(), same), cells_.end());
     for (auto first = cells_.begin(); first != cells_.end();) {
         auto end = first + 1;
         while (end != cells_.end() && goes_on(*(end - 1), *end)) ++end;

@@ -43,9 +43,8 @@ std::vector<Code> codes_of(const SQLite::Column& column) {
 /// A particle has one place in each array of each picture.
 void check_frames(const std::vector<Frame>& frames, long run_id) {
     for (const Frame& frame : frames) {
-        const std::size_t count = frames.front().x.size();
-        if (frame.x.size() != count || frame.y.size() != count || frame.speed.size() != count ||
-            frame.pressure.size() != count)
+        const std::size_t count = frame.x.size();
+        if (frame.y.size() != count || frame.speed.size() != count || frame.pressure.size() != count)
             throw DamagedData(fmt::format("has pictures of run {} with parts missing", run_id));
     }
 }

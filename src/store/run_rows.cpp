@@ -165,6 +165,10 @@ void insert_measures(Database& database, long run_id, const Measures& measures) 
     statement.exec();
 }
 
+// As the view section_face has it; views of a file are not trusted.
+constexpr const char* crest_chainage =
+    "toe_chainage_m + CASE descends_with_chainage WHEN 1 THEN crest.x_m ELSE -crest.x_m END";
+
 std::string select_runs_sql(const char* condition) {
     std::vector<std::string> names = {"run.run_id",
                                       "run.status",
@@ -175,8 +179,8 @@ std::string select_runs_sql(const char* condition) {
                                       "section.slope_angle_deg",
                                       "section.toe_chainage_m",
                                       "section.toe_elevation_m",
-                                      "section_face.crest_chainage_m",
-                                      "section_face.face_height_m",
+                                      crest_chainage,
+                                      "crest.y_m",
                                       "scenario.friction_angle_deg",
                                       "run.host_threads"};
     for (const auto& column : text_columns) names.push_back(fmt::format("run.{}", column.name));
@@ -186,7 +190,8 @@ std::string select_runs_sql(const char* condition) {
     for (const auto& field : measure_fields()) names.push_back(fmt::format("measure.{}", field.name));
     return fmt::format(
         "SELECT {} FROM run JOIN measure USING (run_id) JOIN scenario USING (scenario_id)"
-        " JOIN source USING (source_id) JOIN section USING (section_id) JOIN section_face USING (section_id) "
+        " JOIN source USING (source_id) JOIN section USING (section_id)"
+        " JOIN section_point AS crest ON crest.section_id = section.section_id AND point_index = crest_index "
         "{} ORDER BY run.run_id",
         fmt::join(names, ", "), condition);
 }
