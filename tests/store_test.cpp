@@ -303,6 +303,18 @@ TEST_F(StoreTest, KeepsFramesToTheBit) {
         << "little-endian words and bytes";
 }
 
+TEST_F(StoreTest, PicturesMayGrowByLaterMasses) {
+    RunResult result = example_result();
+    Frame more = result.frames.back();
+    more.x.push_back(1);
+    more.y.push_back(1);
+    more.speed.push_back(1);
+    more.pressure.push_back(1);
+    result.frames.push_back(more);
+    const long id = add(example_scene(), result);
+    EXPECT_EQ(Store(path, Store::Mode::read).frames(id).back().x, more.x);
+}
+
 TEST_F(StoreTest, GivesBackGroundAndSource) {
     const Scene scene = example_scene();
     const long id = add(scene, example_result());

@@ -5,6 +5,7 @@
 #include <SQLiteCpp/Statement.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <string>
@@ -40,12 +41,16 @@ std::vector<Code> codes_of(const SQLite::Column& column) {
     return codes;
 }
 
-/// A particle has one place in each array of each picture.
+/// A particle has one place in each array of a picture, and stays in those that follow; more may come.
 void check_frames(const std::vector<Frame>& frames, long run_id) {
+    std::size_t least = 0;
     for (const Frame& frame : frames) {
         const std::size_t count = frame.x.size();
-        if (frame.y.size() != count || frame.speed.size() != count || frame.pressure.size() != count)
+        const bool whole =
+            frame.y.size() == count && frame.speed.size() == count && frame.pressure.size() == count;
+        if (!whole || (count > 0 && count < least))
             throw DamagedData(fmt::format("has pictures of run {} with parts missing", run_id));
+        least = std::max(least, count);
     }
 }
 
