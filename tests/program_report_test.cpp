@@ -31,6 +31,26 @@ TEST_F(ProgramTest, ReportsComparesAndExportsAStoredRun) {
     EXPECT_EQ(runout({"report", "runout.db", "--section", "1", "-o", "section.html"}).exit_code, 0);
 }
 
+TEST_F(ProgramTest, ADoubtfulToeIsToldInEveryAnswer) {
+    write("two.csv", "chainage_m,elevation_m\n0,60\n20,60\n29,45\n60,44\n68,30\n160,30\n");
+    const std::string doubt = "section.toe_chainage_m = 68, section.crest_chainage_m = 60";
+    Arguments run = {"run", "two.csv",     "--friction-angle", "35",       "--resolution",
+                     "10",  "--no-pilots", "--quiet",          "--frames", "0"};
+    const Outcome text = runout(run);
+    EXPECT_TRUE(contains(text.out, "Toe at chainage 29 m, elevation 45 m, found; crest at 20 m, found"));
+    EXPECT_TRUE(contains(text.out, "WARNING: The cut was taken")) << text.out;
+    EXPECT_TRUE(contains(text.out, doubt));
+    run.insert(run.end(), {"--json", "--no-store"});
+    const Outcome json = runout(run);
+    EXPECT_TRUE(contains(json.out, "\"toe_chainage_m\": 29.0")) << json.out;
+    EXPECT_TRUE(contains(json.out, "\"toe_origin\": \"found\""));
+    EXPECT_TRUE(contains(json.out, doubt));
+    EXPECT_TRUE(contains(runout({"profile", "two.csv"}).out, doubt));
+    ASSERT_EQ(runout({"report", "runout.db", "-o", "page.html"}).exit_code, 0);
+    EXPECT_TRUE(contains(text_of(work("page.html")), doubt));
+    EXPECT_EQ(Store(work("runout.db").string(), Store::Mode::read).run(1).crest_chainage_m, 20);
+}
+
 TEST_F(ProgramTest, RefusesReportsItCannotMake) {
     expect_refused({"report", "none.db"}, {"none.db", "no such file"});
     ASSERT_EQ(runout({"run", "case.toml", "--quiet", "--frames", "0"}).exit_code, 0);
