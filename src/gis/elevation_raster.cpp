@@ -7,14 +7,15 @@
 #include <cmath>
 
 #include "core/elevation_limits.h"
+#include "core/length_unit.h"
 #include "gis/gdal_access.h"
 #include "gis/raster_cells.h"
 
 namespace runout {
 namespace {
 
-constexpr double foot_m = 0.3048;
-constexpr double us_survey_foot_m = 1200.0 / 3937.0;
+constexpr double foot_m = length_unit("ft")->metres;
+constexpr double us_survey_foot_m = length_unit("us-ft")->metres;
 constexpr double unit_tolerance = 1e-4;  // as labels are rounded, no further than a metre is from a metre
 
 /// Shares of four neighbouring cells in a value between the second and the third, 0 <= t < 1.
@@ -50,8 +51,7 @@ double unit_of_label(const std::string& label) {
 }  // namespace
 
 double unit_m(const std::string& unit) {
-    if (unit == "ft") return foot_m;
-    return unit == "us-ft" ? us_survey_foot_m : 1.0;
+    return unit.empty() ? 1.0 : known_length_unit(unit).metres;
 }
 
 void refuse_unconfirmed_unit(const std::string& file, double stated_m) {
