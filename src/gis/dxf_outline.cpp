@@ -54,13 +54,22 @@ class Pairs {
         lines_ += 2;
         if (lines_ == 2 && code.starts_with("AutoCAD Binary DXF"))
             throw InputError({path_, 0, "", ""}, "is a binary DXF", "save it as ASCII DXF");
-        pair.code = integer_in(trimmed(code));
+        pair.code = group_code(trimmed(code));
         pair.value = std::string(trimmed(pair.value));
         pair.line = lines_;
         return pair;
     }
 
   private:
+    /// GDAL looks for ever for the end of a file whose codes and values have changed places.
+    [[nodiscard]] int group_code(std::string_view text) const {
+        int code = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), code);
+        if (error == std::errc{} && end == text.data() + text.size()) return code;
+        throw InputError({path_, static_cast<int>(lines_ - 1), "group code", std::string(text)},
+                         "is not a whole number", "save the drawing again as ASCII DXF");
+    }
+
     const std::string& path_;
     std::ifstream stream_;
     long lines_ = 0;
