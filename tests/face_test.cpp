@@ -53,6 +53,13 @@ std::vector<Vec2> with_step(const std::vector<Vec2>& points, double x, double ru
     return stepped;
 }
 
+double highest_batter(const FaceShape& shape) {
+    double highest = 0;
+    for (std::size_t i = shape.crest; i < shape.toe; ++i)
+        highest = std::max(highest, shape.points[i].y() - shape.points[i + 1].y());
+    return highest;
+}
+
 /// The section with its ground raised by `rise` uphill of x.
 std::vector<Vec2> with_ledge(const std::vector<Vec2>& points, double x, double rise) {
     std::vector<Vec2> stepped;
@@ -158,8 +165,10 @@ TEST_F(Shapes, KeepTheirToeWithALesserDescentBelow) {
         const double toe = shape.points[shape.toe].x();
         const double relief = shape.points[shape.crest].y() - shape.points[shape.toe].y();
         for (int i = 0; i < variants; ++i) {
-            const double height = uniform(random, 0.05, 0.2) * relief;
-            const double x = uniform(random, toe + 0.2 * relief, toe + 2 * relief);
+            // From half of a batter upwards it may be one more bench.
+            const double most = std::min(0.2 * relief, 0.499 * highest_batter(shape));
+            const double height = uniform(random, 0.25 * most, most);
+            const double x = uniform(random, toe + 0.1 * relief, toe + (i % 2 == 0 ? 0.2 : 2) * relief);
             const double run = height / std::tan(radians(uniform(random, 25, 90)));
             const Profile p = profile_of(with_step(shape.points, x, run, -height));
             EXPECT_EQ(p.toe_chainage_m, toe) << shape.name << " " << x << " " << height << " " << run;

@@ -6,7 +6,7 @@
 namespace runout {
 namespace {
 
-constexpr double adjoining = 1.0 / 12;      // of the scale: as far as parts of one descent lie apart
+constexpr double adjoining = 1.0 / 14;      // of the scale: as far as parts of one descent lie apart
 constexpr double narrowest_berm = 0.02;     // of the scale
 constexpr double widest_berm_share = 0.6;   // of the height of the lower of the two parts that it joins
 constexpr double highest_bund_share = 0.2;  // of the same: how much the ground between may rise
@@ -99,14 +99,19 @@ double highest_batter(const Polyline& ground, const Flight& flight, double slope
 std::vector<Flight> without_lesser_ends(const Polyline& ground, const Flight& flight, double slope,
                                         double scale) {
     const double highest = highest_batter(ground, flight, slope, scale);
-    const auto apart = [&](const Descent& part, const Descent& upper, const Descent& lower) {
+    // Against the height of the rest: what is lesser must not make room for itself.
+    const auto apart = [&](const Descent& part, const Descent& rest, double gap) {
         return drop_of(ground, part) < lesser * highest &&
-               gap_between(ground, upper, lower) >= farthest_lesser * scale;
+               gap >= farthest_lesser * std::min(scale, drop_of(ground, rest));
     };
     std::size_t first = 0;
     std::size_t last = flight.size() - 1;
-    while (first < last && apart(flight[first], flight[first], flight[first + 1])) ++first;
-    while (first < last && apart(flight[last], flight[last - 1], flight[last])) --last;
+    while (first < last && apart(flight[first], {flight[first + 1].crest, flight[last].toe},
+                                 gap_between(ground, flight[first], flight[first + 1])))
+        ++first;
+    while (first < last && apart(flight[last], {flight[first].crest, flight[last - 1].toe},
+                                 gap_between(ground, flight[last - 1], flight[last])))
+        --last;
     std::vector<Flight> parts;
     for (std::size_t i = 0; i < first; ++i) parts.push_back({flight[i]});
     parts.emplace_back(flight.begin() + static_cast<long>(first),

@@ -32,10 +32,10 @@ Polyline without_holes(const Polyline& ground, double relief);
 
 /// All descents steeper than `slope` (fall over length), those that belong together as one. With y + slope x
 /// in place of the elevation, a descent falls and what is flatter rises. A descent ends where nothing lower
-/// (in that sense) comes within a twelfth of `scale`. Two of them belong together when what lies between
+/// (in that sense) comes within a fourteenth of `scale`. Two of them belong together when what lies between
 /// is a berm: at most 0.6 times as long as the lower of the two is high, without a rise between. A small one
-/// at an end, less than half as high as the highest, must be nearer than a tenth of `scale`. From left to
-/// right, downhill to the right.
+/// at an end, less than half as high as the highest, must be nearer than a tenth of the height of the rest.
+/// From left to right, downhill to the right.
 std::vector<Descent> descents(const Polyline& ground, double slope, double scale);
 
 /// The longest level stretch between two parts of a descent over the height of the lower part, and where it
