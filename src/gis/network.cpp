@@ -9,6 +9,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <set>
 #include <string_view>
 
 namespace runout {
@@ -64,9 +65,13 @@ bool network_is_allowed() {
 void close_network() {
     const CPLStringList prefixes(VSIFileManager::GetPrefixes());
     auto* const closed = new ClosedFileSystem;  // GDAL's, for as long as the program runs
+    // GDAL would forget what it had there and never free it. Some of them serve several prefixes.
+    static auto* const displaced = new std::set<VSIFilesystemHandler*>;
     for (int i = 0; i < prefixes.size(); ++i) {
         const char* const prefix = prefixes[i];
-        if (!is_local(prefix)) VSIFileManager::InstallHandler(prefix, closed);
+        if (is_local(prefix)) continue;
+        displaced->insert(VSIFileManager::GetHandler(prefix));
+        VSIFileManager::InstallHandler(prefix, closed);
     }
     CPLHTTPSetFetchCallback(refuse_request, nullptr);
 }
