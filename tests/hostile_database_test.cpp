@@ -140,6 +140,20 @@ TEST_F(HostileDatabaseTest, InputsOfAStudyThatAreNoJsonAreWrongInput) {
     }
 }
 
+/// The database's own idea of JSON is wider than that of the reports.
+TEST_F(HostileDatabaseTest, InputsOfAStudyMayBeJsonOfAnotherReader) {
+    for (const auto& [inputs, exit_code] :
+         {std::pair{R"('{"a" : 1e400}')", 2}, std::pair{R"(CAST(x'7b226122203a2022c3227d' AS TEXT))", 0},
+          std::pair{R"(CAST(x'7b2261c322203a20317d' AS TEXT))", 0}}) {
+        copy_with("x.db",
+                  fmt::format("INSERT INTO study VALUES (1, 's', ''); INSERT INTO study_scenario VALUES"
+                              " (1, 0, (SELECT scenario_hash FROM scenario), {}, '')",
+                              inputs));
+        for (const char* format : {"text", "csv", "json", "markdown"})
+            EXPECT_EQ(runout({"table", "x.db", "--format", format}).exit_code, exit_code) << inputs << format;
+    }
+}
+
 TEST_F(HostileDatabaseTest, TextThatIsNoTextIsShownAndStopsNothing) {
     copy_with("x.db",
               "UPDATE run SET name = CAST(x'ff1b5b324a' AS TEXT), status_detail = CAST(x'c3' AS TEXT)");

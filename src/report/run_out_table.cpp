@@ -228,7 +228,7 @@ std::string table_json(const std::string& study, const std::vector<StudyEntry>& 
     object["without_result"] = Json::array();
     for (const StudyRow* row : without_result(entries))
         object["without_result"].push_back({{"scenario", row->scenario.index},
-                                            {"inputs", Json::parse(row->scenario.inputs)},
+                                            {"inputs", inputs_of(*row)},
                                             {"reason", why_not(*row)}});
     return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

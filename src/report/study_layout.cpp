@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/input_error.h"
+#include "core/printable.h"
 #include "report/reach_probability.h"
 
 namespace runout {
@@ -97,12 +98,21 @@ bool LabelOrder::operator()(const std::string& a, const std::string& b) const {
     return a < b;
 }
 
+Json inputs_of(const StudyRow& row) {
+    Json inputs = Json::parse(printable_json(row.scenario.inputs), nullptr, false);
+    if (!inputs.is_object())
+        throw InputError({fmt::format("scenario {}", row.scenario.index), 0, "inputs", ""},
+                         "cannot be read as a JSON object",
+                         "the database is damaged: take another copy of it");
+    return inputs;
+}
+
 std::vector<StudyEntry> entries_of(const std::vector<StudyRow>& rows) {
     std::vector<StudyEntry> entries;
     for (const StudyRow& row : rows) {
         StudyEntry& entry = entries.emplace_back();
         entry.row = &row;
-        const Json inputs = Json::parse(row.scenario.inputs);
+        const Json inputs = inputs_of(row);
         for (const auto& [key, value] : inputs.items()) {
             entry.inputs[key] = label_of(value);
             if (value.is_number()) entry.numbers[key] = value.get<double>();

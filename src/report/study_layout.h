@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <set>
 #include <string>
 #include <utility>
@@ -10,6 +11,9 @@
 #include "store/store.h"
 
 namespace runout {
+
+/// What the study varied, an object. Throws InputError where the stored text is none.
+nlohmann::ordered_json inputs_of(const StudyRow& row);
 
 /// A row of the study with its inputs read.
 struct StudyEntry {
