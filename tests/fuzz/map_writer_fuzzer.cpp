@@ -3,9 +3,9 @@
 
 #include "fuzz/targets.h"
 
-/// GDAL 3.6 forgets its copy of a point whose latitude it refuses.
+/// GDAL 3.6 forgets its copy of a point, line or area one of whose latitudes it refuses.
 extern "C" const char* __lsan_default_suppressions() {
-    return "leak:OGRPoint::clone\n";
+    return "leak:OGR*::clone\n";
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
