@@ -1,12 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
-namespace runout {
+#include "core/vec2.h"
 
-/// A point or vector in the plane of the section, SI units.
-using Vec2 = Eigen::Vector2d;
+namespace runout {
 
 /// An open chain of points.
 using Polyline = std::vector<Vec2>;

@@ -44,7 +44,7 @@ BedLine::Nearest BedLine::nearest(const Vec2& point, int segment, int reach) con
             best.normal += normal(seg);
         }
     }
-    best.normal.normalize();
+    best.normal = best.normal.normalized();
     const double distance = std::sqrt(best2);
     const bool inside = !beyond_end && offset.dot(best.normal) < 0.0;
     best.distance = inside ? -distance : distance;

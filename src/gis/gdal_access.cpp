@@ -25,6 +25,9 @@ constexpr GIntBig block_cache_bytes = 48 * 1024 * 1024;
 /// A scale factor further than this from 1 is no detail of a survey.
 constexpr double true_scale = 1e-3;
 
+/// No place on a map lies further from the origin of its system, in whatever unit.
+constexpr double farthest_coordinate = 1e9;
+
 void set_up_gdal() {
     CPLSetConfigOption("GDAL_VRT_ENABLE_PYTHON", "NO");
     CPLSetConfigOption("GPX_ELE_AS_25D", "YES");  // else a track has no elevations
@@ -146,9 +149,11 @@ Transformation::Transformation(const OGRSpatialReference& from, const OGRSpatial
 
 Vec2 Transformation::operator()(const Vec2& point) const {
     if (same_) return point;
+    // GDAL takes whole turns off a longitude one by one.
+    const bool on_earth = point.allFinite() && point.cwiseAbs().maxCoeff() <= farthest_coordinate;
     double x = point.x();
     double y = point.y();
-    if (steps_ && steps_->Transform(1, &x, &y) != 0) return {x, y};
+    if (on_earth && steps_ && steps_->Transform(1, &x, &y) != 0) return {x, y};
     return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
@@ -168,11 +173,10 @@ OGRSpatialReference transverse_mercator(const OGRSpatialReference& reference, co
 std::array<double, 2> scales_at(const Vec2& place, double step, const Transformation& to_ground,
                                 double metres) {
     const Vec2 middle = to_ground(place);
-    Eigen::Matrix2d stretch;
-    stretch.col(0) = (to_ground(place + Vec2(step, 0)) - middle) / metres;
-    stretch.col(1) = (to_ground(place + Vec2(0, step)) - middle) / metres;
-    const double area = std::abs(stretch(0, 0) * stretch(1, 1) - stretch(0, 1) * stretch(1, 0));
-    const double sum = stretch.squaredNorm();  // of the squares of both
+    const Vec2 east = (to_ground(place + Vec2(step, 0)) - middle) / metres;
+    const Vec2 north = (to_ground(place + Vec2(0, step)) - middle) / metres;
+    const double area = std::abs(east.x() * north.y() - north.x() * east.y());
+    const double sum = east.squaredNorm() + north.squaredNorm();  // of the squares of both
     const double apart = std::sqrt(std::max(0.0, sum * sum / 4 - area * area));
     return {std::sqrt(sum / 2 + apart), std::sqrt(std::max(0.0, sum / 2 - apart))};
 }

@@ -49,7 +49,7 @@ class Transformation {
 
     /// False when there is no way from one system to the other.
     [[nodiscard]] bool exists() const { return same_ || steps_; }
-    /// NaN where the transformation fails.
+    /// NaN where the transformation fails, or the point lies beyond 1e9 units.
     [[nodiscard]] Vec2 operator()(const Vec2& point) const;
 
   private:

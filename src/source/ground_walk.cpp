@@ -26,7 +26,7 @@ class StraightRun {
         const double length = way.norm();
         farthest_ = std::max(farthest_, length);
         if (length <= tolerance_) return;
-        if (ahead_.isZero()) ahead_ = way / length;
+        if (ahead_ == Vec2{}) ahead_ = way / length;
         const double spread = std::asin(tolerance_ / length);
         lowest_ = std::max(lowest_, direction(way) - spread);
         highest_ = std::min(highest_, direction(way) + spread);
@@ -35,7 +35,7 @@ class StraightRun {
     [[nodiscard]] bool may_end_at(const Vec2& end) const {
         const Vec2 way = end - start_;
         if (way.norm() < farthest_ - tolerance_) return false;
-        return ahead_.isZero() || (direction(way) >= lowest_ && direction(way) <= highest_);
+        return ahead_ == Vec2{} || (direction(way) >= lowest_ && direction(way) <= highest_);
     }
 
   private:

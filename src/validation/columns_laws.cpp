@@ -49,7 +49,7 @@ double local_value(const std::vector<Vec2>& points, double aspect) {
 LineFit fit_line(const std::vector<Vec2>& points) {
     assert(points.size() >= 3);
     const auto n = static_cast<double>(points.size());
-    Vec2 mean = Vec2::Zero();
+    Vec2 mean = Vec2{};
     for (const Vec2& p : points) mean += p / n;
     double xx = 0.0, xy = 0.0, yy = 0.0;
     for (const Vec2& p : points) {

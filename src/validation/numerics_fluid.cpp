@@ -12,10 +12,13 @@ namespace {
 constexpr double smoothing_ratio = 1.3;
 constexpr double pressure_wave_courant = 0.5;  // that of Simulation
 
-std::vector<double> component(const std::vector<Vec2>& points, int c) {
-    std::vector<double> values;
-    for (const Vec2& p : points) values.push_back(p[c]);
-    return values;
+Soil soil_on(const std::vector<Vec2>& points) {
+    std::vector<double> x, y;
+    for (const Vec2& p : points) {
+        x.push_back(p.x());
+        y.push_back(p.y());
+    }
+    return soil_at(x, y);
 }
 
 }  // namespace
@@ -48,7 +51,7 @@ BedLine no_bed() {
 Cloud::Cloud(double spacing, const std::vector<Vec2>& points, const BedLine& bed_line)
     : d(make_discretisation(spacing, smoothing_ratio, density)),
       bed(bed_line),
-      soil(soil_at(component(points, 0), component(points, 1))),
+      soil(soil_on(points)),
       wall(make_wall(bed, d)),
       search(d, 1) {
     find();

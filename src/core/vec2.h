@@ -1,0 +1,89 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace runout {
+
+/// A point or vector in the plane of the section, SI units. Two numbers and no more, since nearly every file
+/// includes it; linear algebra proper is Eigen's.
+class Vec2 {
+  public:
+    constexpr Vec2() = default;
+    constexpr Vec2(double x, double y) : x_(x), y_(y) {}
+    static constexpr Vec2 Constant(double value) { return {value, value}; }
+
+    [[nodiscard]] constexpr double x() const { return x_; }
+    [[nodiscard]] constexpr double y() const { return y_; }
+    constexpr double& x() { return x_; }
+    constexpr double& y() { return y_; }
+
+    constexpr bool operator==(const Vec2&) const = default;
+
+    constexpr Vec2& operator+=(const Vec2& other) {
+        x_ += other.x_;
+        y_ += other.y_;
+        return *this;
+    }
+    constexpr Vec2& operator-=(const Vec2& other) {
+        x_ -= other.x_;
+        y_ -= other.y_;
+        return *this;
+    }
+    constexpr Vec2& operator*=(double factor) {
+        x_ *= factor;
+        y_ *= factor;
+        return *this;
+    }
+    constexpr Vec2& operator/=(double divisor) {
+        x_ /= divisor;
+        y_ /= divisor;
+        return *this;
+    }
+
+    [[nodiscard]] constexpr double dot(const Vec2& other) const { return x_ * other.x_ + y_ * other.y_; }
+    [[nodiscard]] constexpr double squaredNorm() const { return dot(*this); }
+    [[nodiscard]] double norm() const { return std::sqrt(squaredNorm()); }
+    /// Of length 1; the null vector stays what it is.
+    [[nodiscard]] Vec2 normalized() const;
+
+    [[nodiscard]] constexpr Vec2 cwiseMin(const Vec2& other) const {
+        return {std::min(x_, other.x_), std::min(y_, other.y_)};
+    }
+    [[nodiscard]] constexpr Vec2 cwiseMax(const Vec2& other) const {
+        return {std::max(x_, other.x_), std::max(y_, other.y_)};
+    }
+    [[nodiscard]] Vec2 cwiseAbs() const { return {std::abs(x_), std::abs(y_)}; }
+    [[nodiscard]] constexpr double maxCoeff() const { return std::max(x_, y_); }
+    [[nodiscard]] bool allFinite() const { return std::isfinite(x_) && std::isfinite(y_); }
+
+  private:
+    double x_ = 0;
+    double y_ = 0;
+};
+
+constexpr Vec2 operator+(Vec2 a, const Vec2& b) {
+    return a += b;
+}
+constexpr Vec2 operator-(Vec2 a, const Vec2& b) {
+    return a -= b;
+}
+constexpr Vec2 operator-(const Vec2& a) {
+    return {-a.x(), -a.y()};
+}
+constexpr Vec2 operator*(Vec2 a, double factor) {
+    return a *= factor;
+}
+constexpr Vec2 operator*(double factor, Vec2 a) {
+    return a *= factor;
+}
+constexpr Vec2 operator/(Vec2 a, double divisor) {
+    return a /= divisor;
+}
+
+inline Vec2 Vec2::normalized() const {
+    const double length2 = squaredNorm();
+    return length2 > 0 ? *this / std::sqrt(length2) : *this;
+}
+
+}  // namespace runout
