@@ -13,7 +13,7 @@
 #include "core/input_error.h"
 #include "core/printable.h"
 #include "core/version.h"
-#include "engine/instruction_set.h"
+#include "engine/simd/instruction_set.h"
 #include "gis/network.h"
 #include "program/command.h"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/neighbours.h"
+#include "engine/pairs/neighbours.h"
 
 namespace runout::filled_box {
 

@@ -5,7 +5,7 @@
 
 #include "accuracy/plan.h"
 #include "accuracy/study.h"
-#include "measures/run.h"
+#include "run/run_scene.h"
 
 namespace runout {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "core/machine.h"
-#include "measures/run.h"
+#include "run/run_scene.h"
 
 namespace runout {
 namespace {

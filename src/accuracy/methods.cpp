@@ -7,7 +7,7 @@
 #include <limits>
 #include <thread>
 
-#include "measures/run.h"
+#include "run/run_scene.h"
 
 namespace runout {
 namespace {

@@ -11,7 +11,7 @@
 #include "accuracy/price.h"
 #include "accuracy/survey_error.h"
 #include "core/machine.h"
-#include "measures/run.h"
+#include "run/run_scene.h"
 
 namespace runout {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <thread>
 
-#include "engine/bed_shape.h"
-#include "engine/node_array.h"
-#include "engine/operators.h"
-#include "engine/row_passes.h"
+#include "engine/effects/bed_shape.h"
+#include "engine/pairs/operators.h"
+#include "engine/threads/node_array.h"
+#include "engine/threads/row_passes.h"
 #include "scene/rest_check.h"
 
 namespace runout {

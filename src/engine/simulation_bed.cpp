@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "engine/node_array.h"
-#include "engine/row_passes.h"
 #include "engine/simulation.h"
+#include "engine/threads/node_array.h"
+#include "engine/threads/row_passes.h"
 
 namespace runout {
 namespace {

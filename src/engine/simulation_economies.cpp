@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "engine/node_array.h"
-#include "engine/operators.h"
+#include "engine/pairs/operators.h"
 #include "engine/simulation.h"
+#include "engine/threads/node_array.h"
 
 namespace runout {
 namespace {

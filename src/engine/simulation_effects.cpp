@@ -5,11 +5,11 @@
 #include <cmath>
 #include <string_view>
 
-#include "engine/bed_shape.h"
-#include "engine/later_masses.h"
-#include "engine/operators.h"
-#include "engine/packing.h"
-#include "engine/side_walls.h"
+#include "engine/effects/bed_shape.h"
+#include "engine/effects/later_masses.h"
+#include "engine/effects/side_walls.h"
+#include "engine/pairs/operators.h"
+#include "engine/particles/packing.h"
 #include "engine/simulation.h"
 
 namespace runout {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/row_passes.h"
 #include "engine/simulation.h"
+#include "engine/threads/row_passes.h"
 
 namespace runout {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "engine/bed_line.h"
-#include "engine/kernel.h"
+#include "engine/particles/bed_line.h"
+#include "engine/particles/kernel.h"
 
 namespace runout {
 

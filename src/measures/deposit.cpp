@@ -5,8 +5,8 @@
 #include <limits>
 #include <numeric>
 
-#include "engine/cell_grid.h"
-#include "engine/pressure_solver.h"
+#include "engine/particles/cell_grid.h"
+#include "engine/pressure/pressure_solver.h"
 
 namespace runout {
 namespace {

@@ -167,7 +167,7 @@ struct PhaseTime {
     double wall_s = 0;
 };
 
-/// How near the run came to violating one of the invariants of the engine (engine/invariants.h).
+/// How near the run came to violating one of the invariants of the engine (engine/watch/invariants.h).
 struct InvariantRow {
     std::string invariant;
     double worst = 0;  ///< pure number; the run ends as `diverged` when it exceeds the limit

@@ -8,7 +8,7 @@
 #include "program/command.h"
 #include "program/interrupt.h"
 #include "program/jobs_option.h"
-#include "report/back_analysis_text.h"
+#include "report/text/back_analysis_text.h"
 #include "store/store.h"
 #include "store/write_ahead.h"
 #include "validation/back_analysis.h"

@@ -9,7 +9,7 @@
 #include "program/command.h"
 #include "program/output_option.h"
 #include "program/run_choice.h"
-#include "report/comparison.h"
+#include "report/compare/comparison.h"
 #include "store/store.h"
 
 namespace runout {

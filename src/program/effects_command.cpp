@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/printable.h"
-#include "measures/effect_cost.h"
 #include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
+#include "run/effect_cost.h"
 #include "scene/effect_settings.h"
 
 namespace runout {

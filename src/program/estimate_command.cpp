@@ -8,7 +8,7 @@
 #include "program/case_arguments.h"
 #include "program/command.h"
 #include "program/study_choice.h"
-#include "report/estimate_text.h"
+#include "report/text/estimate_text.h"
 #include "store/store.h"
 
 namespace runout {

@@ -9,7 +9,7 @@
 #include "program/command.h"
 #include "program/output_option.h"
 #include "program/run_choice.h"
-#include "report/export_files.h"
+#include "report/export/export_files.h"
 #include "store/store.h"
 
 namespace runout {

@@ -7,7 +7,7 @@
 #include "program/answer.h"
 #include "program/command.h"
 #include "program/output_option.h"
-#include "report/result_map.h"
+#include "report/map/result_map.h"
 
 namespace runout {
 namespace {

@@ -13,8 +13,8 @@
 #include "program/command.h"
 #include "program/output_option.h"
 #include "program/refused_sections.h"
-#include "report/section_view.h"
-#include "report/svg_chart.h"
+#include "report/chart/section_view.h"
+#include "report/chart/svg_chart.h"
 #include "scene/input_files.h"
 
 namespace runout {

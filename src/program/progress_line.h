@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "measures/run.h"
+#include "run/run_scene.h"
 
 namespace runout {
 

@@ -8,8 +8,8 @@
 #include "program/output_option.h"
 #include "program/run_choice.h"
 #include "program/study_choice.h"
-#include "report/run_page.h"
-#include "report/study_page.h"
+#include "report/page/run_page.h"
+#include "report/page/study_page.h"
 #include "store/store.h"
 
 namespace runout {

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "accuracy/plan.h"
-#include "measures/run.h"
 #include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
@@ -18,9 +17,10 @@
 #include "program/progress_line.h"
 #include "program/refused_sections.h"
 #include "program/run_keeper.h"
-#include "report/ladder_text.h"
-#include "report/table.h"
-#include "report/time_table.h"
+#include "report/text/ladder_text.h"
+#include "report/text/table.h"
+#include "report/text/time_table.h"
+#include "run/run_scene.h"
 #include "scene/input_files.h"
 #include "scene/scene.h"
 #include "store/store.h"

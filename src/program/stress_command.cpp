@@ -12,7 +12,7 @@
 #include "program/command.h"
 #include "program/interrupt.h"
 #include "program/jobs_option.h"
-#include "report/stress_table.h"
+#include "report/text/stress_table.h"
 #include "store/store.h"
 #include "store/write_ahead.h"
 

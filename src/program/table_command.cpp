@@ -8,8 +8,8 @@
 #include "program/answer.h"
 #include "program/command.h"
 #include "program/study_choice.h"
-#include "report/run_out_table.h"
-#include "report/table.h"
+#include "report/text/run_out_table.h"
+#include "report/text/table.h"
 #include "store/store.h"
 
 namespace runout {

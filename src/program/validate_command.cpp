@@ -13,7 +13,7 @@
 #include "program/interrupt.h"
 #include "program/jobs_option.h"
 #include "program/output_option.h"
-#include "report/validation_page.h"
+#include "report/page/validation_page.h"
 #include "store/store.h"
 #include "store/write_ahead.h"
 #include "validation/run_suite.h"

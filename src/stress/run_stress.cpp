@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "core/input_error.h"
-#include "measures/run.h"
+#include "run/run_scene.h"
 #include "scene/case_file.h"
 #include "store/store.h"
 #include "stress/stress_scene.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/input_error.h"
-#include "measures/run.h"
+#include "run/run_scene.h"
 #include "store/database_in_use.h"
 
 namespace runout {

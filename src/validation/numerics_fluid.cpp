@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "engine/operators.h"
+#include "engine/pairs/operators.h"
 
 namespace runout::numerics {
 namespace {

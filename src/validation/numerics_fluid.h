@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "core/geometry.h"
-#include "engine/bed_line.h"
-#include "engine/friction.h"
-#include "engine/neighbours.h"
-#include "engine/pressure_solver.h"
-#include "engine/soil.h"
-#include "engine/wall.h"
+#include "engine/friction/friction.h"
+#include "engine/pairs/neighbours.h"
+#include "engine/particles/bed_line.h"
+#include "engine/particles/soil.h"
+#include "engine/particles/wall.h"
+#include "engine/pressure/pressure_solver.h"
 
 namespace runout::numerics {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/operators.h"
+#include "engine/pairs/operators.h"
 #include "validation/numerics_checks.h"
 #include "validation/numerics_fluid.h"
 

@@ -11,9 +11,9 @@
 
 #include <cmath>
 
-#include "engine/neighbours.h"
-#include "engine/operators.h"
-#include "engine/pressure_solver.h"
+#include "engine/pairs/neighbours.h"
+#include "engine/pairs/operators.h"
+#include "engine/pressure/pressure_solver.h"
 #include "engine/simulation.h"
 #include "filled_box.h"
 #include "scenes.h"

@@ -1,0 +1,54 @@
+#include "engine/friction/velocity_filter.h"
+
+#include "engine/pairs/operators.h"
+#include "engine/pairs/strain_rate.h"
+#include "engine/threads/node_array.h"
+
+namespace runout {
+void VelocityFilter::find_gradients(const Neighbours& n, const Wall& wall, const BedLine& bed,
+                                    const Soil& soil) {
+    soil_velocities(n, soil, velocity_);
+    set_all(gradient_, soil.count, VelocityGradient{});
+    for (const PairBlock& block : n.blocks) {
+        for_each_velocity_gradient(block, n, velocity_.data(), [&](int i, const VelocityGradient& plain) {
+            VelocityGradient g = plain;
+            if (n.nearest_boundary[i] >= 0) {
+                const BedLine::Nearest near =
+                    bed.nearest({soil.x[i], soil.y[i]}, wall.segment[n.nearest_boundary[i]], 8);
+                g = gradient_without_slip(block, n, soil, i, plain, near, discretisation_.spacing);
+            }
+            gradient_[i] = g.corrected(n, i);
+        });
+    }
+}
+
+void VelocityFilter::find_change(const PairBlock& block, const Neighbours& n, const Soil& soil) {
+    for_each_pair(block, n, [&](int i, int j, int k) {
+        if (j >= n.soil_count) return;
+        const VelocityGradient& a = gradient_[i];
+        const VelocityGradient& b = gradient_[j];
+        const double dx = soil.x[j] - soil.x[i];
+        const double dy = soil.y[j] - soil.y[i];
+        change_[i] += static_cast<double>(block.stiffness[k]) *
+                      Vec2{soil.vx[j] - soil.vx[i] - 0.5 * ((a.xx + b.xx) * dx + (a.xy + b.xy) * dy),
+                           soil.vy[j] - soil.vy[i] - 0.5 * ((a.yx + b.yx) * dx + (a.yy + b.yy) * dy)};
+    });
+}
+
+double VelocityFilter::apply(const Neighbours& n, const Wall& wall, const BedLine& bed, Soil& soil) {
+    find_gradients(n, wall, bed, soil);
+    change_.assign(static_cast<std::size_t>(soil.count), Vec2{0, 0});
+    for (const PairBlock& block : n.blocks) find_change(block, n, soil);
+    double taken = 0.0;
+    for (int i = 0; i < soil.count; ++i) {
+        if (n.rests(i)) continue;
+        const Vec2 before{soil.vx[i], soil.vy[i]};
+        const Vec2 after = before + share_ / discretisation_.lattice_stiffness * change_[i];
+        soil.vx[i] = after.x();
+        soil.vy[i] = after.y();
+        taken += 0.5 * (before.squaredNorm() - after.squaredNorm());
+    }
+    return taken;
+}
+
+}  // namespace runout

@@ -1,7 +1,0 @@
-#include "engine/pair_kernels_impl.h"
-
-namespace runout {
-
-const PairKernels pair_kernels_avx2 = kernels::table();
-
-}  // namespace runout

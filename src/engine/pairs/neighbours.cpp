@@ -1,0 +1,338 @@
+#include "engine/pairs/neighbours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/pairs/pair_row.h"
+#include "engine/threads/node_array.h"
+#include "engine/threads/parallel.h"
+
+namespace runout {
+namespace {
+
+// How far from all other soil a grain is on its own, and how near it is in company, in kernel supports.
+constexpr double lone_distance = 0.9;
+constexpr double company_distance = 0.8;
+
+/// Leaves a share of all wall pairs of a row.
+void fade(WallRow& row, float share) {
+    for (WallPair& pair : row.merged) {
+        for (float* value : {&pair.gx, &pair.gy, &pair.stiffness, &pair.own_gx, &pair.own_gy})
+            *value *= share;
+        pair.own_kernel *= share;
+        pair.own = pair.own && share > 0.0F;
+    }
+    RowSums& sums = row.sums;
+    for (double* value :
+         {&sums.kernel, &sums.stiffness, &sums.surface_x, &sums.surface_y, &sums.xx, &sums.xy, &sums.yy})
+        *value *= share;
+}
+
+/// Inverse of the moment matrix; the identity for a particle too lonely to have a gradient.
+void invert_moment(const double* m, Neighbours& n, int node) {
+    const double det = m[0] * m[3] - m[1] * m[2];
+    const double size2 = m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + m[3] * m[3];
+    const bool lonely = det < 0.1 * size2 || det < 0.05;
+    n.correction[0][node] = lonely ? 1.0F : static_cast<float>(m[3] / det);
+    n.correction[1][node] = lonely ? 0.0F : static_cast<float>(-m[1] / det);
+    n.correction[2][node] = lonely ? 0.0F : static_cast<float>(-m[2] / det);
+    n.correction[3][node] = lonely ? 1.0F : static_cast<float>(m[0] / det);
+}
+
+/// What one thread works with while it finds the rows of a slice.
+struct SliceRows {
+    NearSlice soil;
+    std::array<WallRow, lanes> wall;
+};
+
+/// The columns of a row ascend, as the ranges of the spatial order do.
+void widen_reach(PairBlock& block, const NearSlice& near) {
+    for (int l = 0; l < lanes; ++l) {
+        if (near.count[l] == 0) continue;
+        block.highest =
+            std::max(block.highest, static_cast<int>(near.column[(near.count[l] - 1) * lanes + l]));
+    }
+}
+
+/// Room for one more slice, and for those to come as if they were like the ones there are: room taken bit by
+/// bit leaves holes in memory. Entries are those of the step before until they are written.
+void grow(PairBlock& block, std::size_t size, int slices) {
+    if (block.column.size() >= size) return;
+    const auto fit_whole = [&](auto& field) {
+        make_room(field, std::max(size, size * slices_per_block / static_cast<std::size_t>(slices)));
+        field.resize(size);
+    };
+    fit_whole(block.column);
+    for (auto* field : {&block.gx, &block.gy, &block.stiffness}) fit_whole(*field);
+}
+
+/// Entries of which nothing comes.
+void clear(PairBlock& block, std::size_t first, std::size_t last) {
+    std::fill(&block.column[first], &block.column[first] + (last - first), 0);
+    for (auto* field : {&block.gx, &block.gy, &block.stiffness})
+        std::fill(&(*field)[first], &(*field)[first] + (last - first), 0.0F);
+}
+
+/// Writes the soil pairs of a slice and finds their geometry. Short lanes are filled up with separations of
+/// one support, of which nothing comes.
+void write_soil_pairs(PairBlock& block, std::size_t first, NearSlice& near, const PairFinder& finder,
+                      SliceSums& sums) {
+    const int width = near.width();
+    for (int l = 0; l < lanes; ++l) {
+        for (int slot = near.count[l] * lanes + l; slot < width * lanes; slot += lanes) {
+            near.column[slot] = 0;
+            near.separation[slot] = {finder.support, 0.0F};
+        }
+    }
+    std::copy_n(near.column.data(), width * lanes, &block.column[first]);
+    pair_kernels().slice_geometry(
+        {width, near.separation.data(), &block.gx[first], &block.gy[first], &block.stiffness[first]},
+        finder.constants, sums);
+}
+
+/// Wall pairs follow the soil pairs of their row.
+void write_wall_pairs(PairBlock& block, std::size_t first, int first_row, const SliceRows& rows) {
+    for (int l = 0; l < lanes; ++l) {
+        std::size_t slot = first + l + static_cast<std::size_t>(rows.soil.count[l]) * lanes;
+        if (!rows.wall[l].merged.empty()) make_room(block.wall_pairs, rows_per_block);
+        for (WallPair pair : rows.wall[l].merged) {
+            pair.slot = static_cast<int>(slot);
+            pair.row = first_row + l;
+            block.wall_pairs.push_back(pair);
+            block.gx[slot] = pair.gx;
+            block.gy[slot] = pair.gy;
+            block.stiffness[slot] = pair.stiffness;
+            slot += lanes;
+        }
+    }
+}
+
+/// Brings fields of one length into a new order, a few at a time through the same scratch, each thread its
+/// share of the new order.
+template <class T, std::size_t fields, std::size_t at_once>
+void permute(const std::array<std::vector<T>*, fields>& values, const std::vector<int>& order,
+             const std::vector<int>& shares, std::array<std::vector<T>, at_once>& scratch) {
+    static_assert(fields % at_once == 0);
+    for (auto& room : scratch) fit(room, order.size());
+    for (std::size_t begin = 0; begin < fields; begin += at_once) {
+        for_each_share(shares, [&](int, int first, int last) {
+            for (std::size_t k = 0; k < at_once; ++k)
+                for (int i = first; i < last; ++i) scratch[k][i] = (*values[begin + k])[order[i]];
+        });
+        for (std::size_t k = 0; k < at_once; ++k) values[begin + k]->swap(scratch[k]);
+    }
+}
+
+}  // namespace
+
+NeighbourSearch::NeighbourSearch(const Discretisation& discretisation, int threads)
+    : discretisation_(discretisation), threads_(threads) {
+    const WendlandKernel kernel(discretisation.smoothing_length);
+    grid_.size = kernel.support() / cells_per_support;
+    lone_kernel_ = kernel.value(lone_distance * kernel.support());
+    company_kernel_ = kernel.value(company_distance * kernel.support());
+}
+
+void NeighbourSearch::sort(Soil& soil) {
+    if (share_rows_.empty() || share_rows_.back() != soil.padded())
+        share_rows_ = even_shares(soil.padded(), threads_);
+    share_points_ = share_rows_;
+    for (int& point : share_points_) point = std::min(point, soil.count);
+    grid_.sort(soil.x, soil.y, share_points_, order_);
+    for (int i = soil.count; i < soil.padded(); ++i) order_.push_back(i);
+    permute(std::array{&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy,
+                       &soil.contact_x, &soil.contact_y},
+            order_, share_rows_, scratch_);
+    permute(std::array{&soil.id, &soil.aggregate}, order_, share_rows_, name_scratch_);
+}
+
+/// Each thread goes on with the rows that it works on.
+void NeighbourSearch::keep_shares(const Neighbours& n) {
+    const RowChunks& chunks = n.chunks;
+    fit(share_blocks_, chunks.shares() + 1);
+    fit(share_rows_, chunks.shares() + 1);
+    for (int t = 0; t < chunks.shares(); ++t) {
+        share_blocks_[t] = chunks.list[chunks.share_start[t]].first_block;
+        share_rows_[t] = share_blocks_[t] * rows_per_block;
+    }
+    share_blocks_.back() = static_cast<int>(n.blocks.size());
+    share_rows_.back() = n.first_boundary;
+}
+
+void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
+    n.soil_count = soil.count;
+    n.first_boundary = soil.padded();
+    for (auto* field : {&n.stiffness_sum, &n.surface_x, &n.surface_y})
+        set_rest(*field, soil.count, soil.padded(), 0.0);
+    set_rest(n.density, soil.count, soil.padded(), 1.0);
+    set_rest(n.nearest_boundary, soil.count, soil.padded(), -1);
+    fit(n.company, soil.padded());
+    for (auto& component : n.correction) set_rest(component, soil.count, soil.padded(), 0.0F);
+    const int blocks = (soil.padded() + rows_per_block - 1) / rows_per_block;
+    n.blocks.resize(blocks);
+    if (share_blocks_.empty() || share_blocks_.back() != blocks)
+        share_blocks_ = even_shares(blocks, threads_);
+    for_each_share(share_blocks_, [&](int, int first, int last) {
+        for (int b = first; b < last; ++b) find_block(soil, wall, n, b);
+    });
+    number_boundary(soil, wall, n);
+    fill_boundary_rows(wall, soil, n);
+    cutter_.cut(wall, threads_, n);
+    keep_shares(n);
+}
+
+void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours& n, int b) const {
+    thread_local SliceRows rows;
+    const PairFinder finder(discretisation_);
+    PairBlock& block = n.blocks[b];
+    block.first_row = b * rows_per_block;
+    block.highest = std::min(block.first_row + rows_per_block, soil.count) - 1;
+    block.wall_pairs.clear();
+    for (int slice = 0; slice < slices_per_block; ++slice) {
+        const int first_row = block.first_row + slice * lanes;
+        const bool rests = first_row < soil.count && n.rests(first_row);  // the last block has fewer rows
+        if (first_row < soil.count) std::fill_n(&n.company[first_row], lanes, 1.0F);
+        const int last_row = std::min(first_row + lanes, soil.count);
+        finder.find_soil(grid_, soil, first_row, rests ? first_row : last_row, rows.soil);
+        widen_reach(block, rows.soil);
+        std::size_t width = 0;
+        for (int l = 0; l < lanes; ++l) {
+            rows.wall[l].merged.clear();
+            const int i = first_row + l;
+            if (i >= last_row) continue;
+            finder.find_wall(wall, soil.x[i], soil.y[i], rows.wall[l]);
+            width = std::max(width, rows.soil.count[l] + rows.wall[l].merged.size());
+        }
+        const auto first = static_cast<std::size_t>(block.offset[slice]);
+        const std::size_t last = first + width * lanes;
+        block.offset[slice + 1] = static_cast<int>(last);
+        grow(block, last, slice + 1);
+        SliceSums sums{};
+        if (width > 0) {
+            write_soil_pairs(block, first, rows.soil, finder, sums);
+            clear(block, first + static_cast<std::size_t>(rows.soil.width()) * lanes, last);
+            if (!rests) fade_lone_grains(n, first_row, sums, rows.wall);
+            write_wall_pairs(block, first, first_row, rows);
+        }
+        for (int l = 0; l < lanes && first_row + l < soil.count; ++l) {
+            if (rests)
+                write_resting_sums(n, first_row + l, rows.wall[l]);
+            else
+                write_sums(n, first_row + l, sums, l, rows.wall[l]);
+        }
+    }
+}
+
+/// A grain without others around it meets the bed line as a point mass, which the wall guard carries.
+void NeighbourSearch::fade_lone_grains(Neighbours& n, int first_row, const SliceSums& soil,
+                                       std::array<WallRow, lanes>& wall) const {
+    for (int l = 0; l < lanes; ++l) {
+        // Between the two the share rises evenly, so that rounding cannot decide what a grain is.
+        const double rise = (soil.kernel[l] - lone_kernel_) / (company_kernel_ - lone_kernel_);
+        const auto share = static_cast<float>(std::clamp(rise, 0.0, 1.0));
+        n.company[first_row + l] = share;
+        if (share < 1.0F) fade(wall[l], share);
+    }
+}
+
+void NeighbourSearch::write_resting_sums(Neighbours& n, int i, const WallRow& wall) const {
+    n.density[i] = 1.0;
+    n.stiffness_sum[i] = n.surface_x[i] = n.surface_y[i] = 0.0;
+    n.nearest_boundary[i] = wall.nearest_boundary;
+    n.correction[0][i] = n.correction[3][i] = 1.0F;  // the identity, as for a lonely particle
+    n.correction[1][i] = n.correction[2][i] = 0.0F;
+}
+
+void NeighbourSearch::write_sums(Neighbours& n, int i, const SliceSums& soil, int lane,
+                                 const WallRow& wall) const {
+    const RowSums& w = wall.sums;
+    const double self = WendlandKernel(discretisation_.smoothing_length).value(0.0);
+    n.density[i] = (self + soil.kernel[lane] + w.kernel) / discretisation_.lattice_sum;
+    n.stiffness_sum[i] = soil.stiffness[lane] + w.stiffness;
+    n.surface_x[i] = soil.surface_x[lane] + w.surface_x;
+    n.surface_y[i] = soil.surface_y[lane] + w.surface_y;
+    n.nearest_boundary[i] = wall.nearest_boundary;
+    const double xy = soil.xy[lane] + w.xy;  // twice: gradW lies along the pair
+    const double moment[4] = {soil.xx[lane] + w.xx, xy, xy, soil.yy[lane] + w.yy};
+    invert_moment(moment, n, i);
+}
+
+void NeighbourSearch::number_boundary(const Soil& soil, const Wall& wall, Neighbours& n) {
+    // Nothing here may take time in proportion to the length of the section.
+    if (n.node_of_boundary.size() != static_cast<std::size_t>(wall.boundary_count)) {
+        n.node_of_boundary.assign(static_cast<std::size_t>(wall.boundary_count), -1);
+        n.active.clear();
+    }
+    for (const int b : n.active) n.node_of_boundary[b] = -1;
+    n.left.swap(n.active);
+    n.active.clear();
+    for (const PairBlock& block : n.blocks) {
+        for (const WallPair& pair : block.wall_pairs) {
+            if (n.node_of_boundary[pair.boundary] >= 0) continue;
+            n.node_of_boundary[pair.boundary] = 0;
+            n.active.push_back(pair.boundary);
+        }
+    }
+    std::sort(n.active.begin(), n.active.end());
+    for (int a = 0; a < n.active_count(); ++a) n.node_of_boundary[n.active[a]] = n.first_boundary + a;
+    std::erase_if(n.left, [&](int b) { return n.node_of_boundary[b] >= 0; });
+    n.nodes = soil.padded() + n.active_count();
+    for_each_share(share_blocks_, [&](int, int first, int last) {
+        for (int b = first; b < last; ++b) {
+            PairBlock& block = n.blocks[b];
+            for (const WallPair& pair : block.wall_pairs)
+                block.column[pair.slot] = n.node_of_boundary[pair.boundary];
+        }
+    });
+}
+
+void NeighbourSearch::fill_boundary_rows(const Wall& wall, const Soil& soil, Neighbours& n) {
+    const int count = n.active_count();
+    set_all(n.boundary_start, count + 1, 0);
+    set_all(n.boundary_soil, count, 0);
+    make_room(n.density, n.nodes);
+    n.density.resize(n.nodes);
+    for (auto& component : n.correction) {
+        make_room(component, n.nodes);
+        component.resize(n.nodes);
+    }
+    std::vector<double>& moment = moment_;
+    set_all(moment, 4 * count, 0.0);
+    for (int a = 0; a < count; ++a) {
+        n.density[n.first_boundary + a] = wall.kernel_sum[n.active[a]];
+        for (int c = 0; c < 4; ++c) moment[4 * a + c] = wall.moment[4 * n.active[a] + c];
+    }
+    for (const PairBlock& block : n.blocks) {
+        for (const WallPair& pair : block.wall_pairs) {
+            ++n.boundary_start[n.node_of_boundary[pair.boundary] - n.first_boundary + 1];
+        }
+    }
+    for (int a = 0; a < count; ++a) n.boundary_start[a + 1] += n.boundary_start[a];
+    make_room(n.boundary_pairs, n.boundary_start[count]);
+    n.boundary_pairs.resize(n.boundary_start[count]);
+    make_room(cursor_, n.boundary_start.size());
+    cursor_.assign(n.boundary_start.begin(), n.boundary_start.end());
+    for (const PairBlock& block : n.blocks) {
+        for (const WallPair& pair : block.wall_pairs) {
+            const int a = n.node_of_boundary[pair.boundary] - n.first_boundary;
+            n.boundary_pairs[cursor_[a]++] = {pair.row,       -pair.gx,     -pair.gy,
+                                              pair.stiffness, -pair.own_gx, -pair.own_gy};
+            if (!pair.own) continue;
+            ++n.boundary_soil[a];
+            n.density[n.first_boundary + a] += pair.own_kernel;
+            const double dx = soil.x[pair.row] - wall.x[pair.boundary];
+            const double dy = soil.y[pair.row] - wall.y[pair.boundary];
+            moment[4 * a + 0] += dx * -pair.own_gx;
+            moment[4 * a + 1] += dx * -pair.own_gy;
+            moment[4 * a + 2] += dy * -pair.own_gx;
+            moment[4 * a + 3] += dy * -pair.own_gy;
+        }
+    }
+    for (int a = 0; a < count; ++a) {
+        n.density[n.first_boundary + a] /= discretisation_.lattice_sum;
+        invert_moment(&moment[4 * a], n, n.first_boundary + a);
+    }
+}
+
+}  // namespace runout

@@ -1,0 +1,197 @@
+#include "engine/particles/packing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "engine/pairs/neighbours.h"
+#include "engine/particles/bed_line.h"
+#include "engine/particles/wall.h"
+
+namespace runout {
+namespace {
+
+constexpr double jitter_size = 0.25;  // in spacings
+
+struct Axes {
+    Vec2 origin, along, up;
+};
+
+double edge_length(const Polygon& outline, std::size_t i) {
+    return (outline[(i + 1) % outline.size()] - outline[i]).norm();
+}
+
+/// Edge that lies on the bed, the longest; the longest of all for a mass in the air.
+std::size_t base_edge(const Source& source) {
+    const BedLine bed(source.bed);
+    const double tolerance = 1e-6 * std::sqrt(source.area);
+    std::size_t best = 0;
+    double best_rank = -1.0;
+    for (std::size_t i = 0; i < source.outline.size(); ++i) {
+        const Vec2 a = source.outline[i];
+        const Vec2 b = source.outline[(i + 1) % source.outline.size()];
+        const bool on_bed = std::abs(bed.nearest(a).distance) < tolerance &&
+                            std::abs(bed.nearest(b).distance) < tolerance &&
+                            std::abs(bed.nearest(0.5 * (a + b)).distance) < tolerance;
+        const bool gentle = std::abs(b.x() - a.x()) > 0.3 * (b - a).norm();  // a scarp is no base
+        const double rank = (b - a).norm() + (on_bed ? 1e6 : 0.0) + (on_bed && gentle ? 1e6 : 0.0);
+        if (rank > best_rank) {
+            best_rank = rank;
+            best = i;
+        }
+    }
+    return best;
+}
+
+bool is_rectangle(const Polygon& outline) {
+    if (outline.size() != 4) return false;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec2 a = outline[(i + 1) % 4] - outline[i];
+        const Vec2 b = outline[(i + 2) % 4] - outline[(i + 1) % 4];
+        if (std::abs(a.dot(b)) > 1e-9 * a.norm() * b.norm()) return false;
+    }
+    return true;
+}
+
+bool contains(const Polygon& outline, const Vec2& p) {
+    bool inside = false;
+    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+        const Vec2& a = outline[i];
+        const Vec2& b = outline[j];
+        if ((a.y() > p.y()) != (b.y() > p.y()) &&
+            p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) {
+            inside = !inside;
+        }
+    }
+    return inside;
+}
+
+Packing stretched_lattice(const Polygon& outline, const Axes& axes, std::size_t base, double spacing) {
+    const double length = edge_length(outline, base);
+    const double height = edge_length(outline, (base + 1) % 4);
+    const int columns = std::max(1, static_cast<int>(std::lround(length / spacing)));
+    const int rows = std::max(1, static_cast<int>(std::lround(height / spacing)));
+    Packing packing;
+    for (int i = 0; i < columns; ++i) {
+        for (int j = 0; j < rows; ++j) {
+            const Vec2 p = axes.origin + axes.along * (length * (i + 0.5) / columns) +
+                           axes.up * (height * (j + 0.5) / rows);
+            packing.x.push_back(p.x());
+            packing.y.push_back(p.y());
+        }
+    }
+    packing.spacing = std::sqrt(length * height / (static_cast<double>(columns) * rows));
+    return packing;
+}
+
+Packing lattice_inside(const Polygon& outline, const Axes& axes, double spacing) {
+    double low_a = 0, high_a = 0, low_u = 0, high_u = 0;
+    for (const Vec2& corner : outline) {
+        const double a = (corner - axes.origin).dot(axes.along);
+        const double u = (corner - axes.origin).dot(axes.up);
+        low_a = std::min(low_a, a);
+        high_a = std::max(high_a, a);
+        low_u = std::min(low_u, u);
+        high_u = std::max(high_u, u);
+    }
+    Packing packing;
+    for (int i = static_cast<int>(low_a / spacing) - 1; i * spacing < high_a; ++i) {
+        for (int j = static_cast<int>(low_u / spacing) - 1; j * spacing < high_u; ++j) {
+            const Vec2 p = axes.origin + axes.along * ((i + 0.5) * spacing) + axes.up * ((j + 0.5) * spacing);
+            if (!contains(outline, p)) continue;
+            packing.x.push_back(p.x());
+            packing.y.push_back(p.y());
+        }
+    }
+    packing.spacing = spacing;
+    return packing;
+}
+
+/// Lattice whose number of points inside comes nearest to area / spacing^2, by small changes of its spacing.
+Packing fitted_lattice(const Source& source, const Axes& axes, double spacing) {
+    const double wanted = source.area / (spacing * spacing);
+    Packing best;
+    double best_miss = 1e300;
+    for (int k = 0; k <= 40; ++k) {
+        const double stretch = 1.0 + 0.0025 * ((k + 1) / 2) * (k % 2 == 0 ? 1.0 : -1.0);
+        Packing trial = lattice_inside(source.outline, axes, spacing * stretch);
+        const double miss = std::abs(static_cast<double>(trial.x.size()) - wanted) + 0.01 * k;
+        if (trial.x.empty() || miss >= best_miss) continue;
+        best_miss = miss;
+        best = std::move(trial);
+    }
+    if (best.x.empty()) {  // a sliver between the lattice lines
+        Vec2 centre{0, 0};
+        for (const Vec2& corner : source.outline)
+            centre += corner / static_cast<double>(source.outline.size());
+        best.x = {centre.x()};
+        best.y = {centre.y()};
+    }
+    best.spacing = std::sqrt(source.area / static_cast<double>(best.x.size()));
+    return best;
+}
+
+/// Moves particles down the gradient of their crowding until nothing moves by more than a hundredth of a
+/// spacing.
+void settle(Packing& packing, const Polygon& outline, double smoothing_ratio) {
+    const Discretisation d = make_discretisation(packing.spacing, smoothing_ratio, 1.0);
+    const Wall shell = make_wall(BedLine(outline, true), d);
+    Soil soil = soil_at(packing.x, packing.y);
+    NeighbourSearch search(d, 1);
+    Neighbours n;
+    for (int pass = 0; pass < 200; ++pass) {
+        search.sort(soil);
+        search.find(soil, shell, n);
+        double largest = 0.0;
+        for (int i = 0; i < soil.count; ++i) {
+            // The sum of gradW points to where it is crowded.
+            Vec2 step = -0.5 * d.volume() * Vec2{n.surface_x[i], n.surface_y[i]};
+            const double size = step.norm();
+            if (size > 0.1 * d.spacing) step *= 0.1 * d.spacing / size;
+            if (!contains(outline, Vec2{soil.x[i], soil.y[i]} + step))
+                continue;  // squeezed out of a sharp tip
+            soil.x[i] += step.x();
+            soil.y[i] += step.y();
+            largest = std::max(largest, step.norm());
+        }
+        if (largest < 0.002 * d.spacing) break;
+    }
+    packing.x.assign(soil.x.begin(), soil.x.begin() + soil.count);
+    packing.y.assign(soil.y.begin(), soil.y.begin() + soil.count);
+}
+
+/// The same on every machine, which the distributions of the standard library are not.
+double uniform_in_unit(std::mt19937_64& generator) {
+    return static_cast<double>(generator() >> 11U) * 0x1p-53;
+}
+
+void jitter(Packing& packing, const Polygon& outline, int seed) {
+    std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
+    for (std::size_t i = 0; i < packing.x.size(); ++i) {
+        const Vec2 step{jitter_size * (2.0 * uniform_in_unit(generator) - 1.0),
+                        jitter_size * (2.0 * uniform_in_unit(generator) - 1.0)};
+        const Vec2 moved = Vec2{packing.x[i], packing.y[i]} + packing.spacing * step;
+        if (!contains(outline, moved)) continue;
+        packing.x[i] = moved.x();
+        packing.y[i] = moved.y();
+    }
+}
+
+}  // namespace
+
+Packing pack_source(const Source& source, double spacing, double smoothing_ratio, int seed) {
+    const std::size_t base = base_edge(source);
+    const Vec2 from = source.outline[base];
+    const Vec2 along = (source.outline[(base + 1) % source.outline.size()] - from).normalized();
+    const Axes axes{from, along, {-along.y(), along.x()}};
+    const bool rectangle = is_rectangle(source.outline);
+    Packing packing = rectangle ? stretched_lattice(source.outline, axes, base, spacing)
+                                : fitted_lattice(source, axes, spacing);
+    if (rectangle && seed == 0) return packing;
+    if (seed != 0) jitter(packing, source.outline, seed);
+    settle(packing, source.outline, smoothing_ratio);
+    return packing;
+}
+
+}  // namespace runout

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/pairs/neighbours.h"
+#include "engine/particles/soil.h"
+#include "engine/particles/wall.h"
+#include "engine/pressure/coarse_level.h"
+#include "engine/pressure/pressure_filter.h"
+#include "engine/threads/row_passes.h"
+
+namespace runout {
+
+/// Density ratio below which a particle belongs to the free surface (the paper's 0.97).
+constexpr double surface_density = 0.97;
+
+/// Density ratio below which a particle flies alone: it does not load, pull at or pace the others.
+constexpr double body_density = 0.6;
+
+/// How a pressure solve is to be done.
+struct PressureStep {
+    double dt = 0;
+    /// Share of the old pressure that the projection starts from (incremental projection). The Laplacian of
+    /// eq. 5 is not the divergence of the gradient, so a projection from nothing leaves a part of the weight
+    /// uncarried and a heap at rest creeps; a full memory keeps every noise that the gradient does not see,
+    /// and nine tenths still shoot grains of a thin layer up that have fallen on it (docs/stability.md).
+    double memory = 0.85;
+    bool correct_density = true;  ///< work off density above rho_0
+    /// Share of the new pressure in what soil and wall carry into the next step; the rest is what they
+    /// carried. Strength and memory answer a pressure one step late, against it, and without this the
+    /// pressure of soil that moves alternates from step to step, the more the finer it is (docs/engine.md).
+    double renewal = 0.5;
+};
+
+/// Of a residual r, over some nodes.
+struct ResidualNorms {
+    double squared = 0;  ///< r . r
+    double scaled = 0;   ///< r . D^-1 r
+    double whole = 0;    ///< b . b of the right-hand side, where that was at hand
+    ResidualNorms& operator+=(const ResidualNorms& other) {
+        squared += other.squared;
+        scaled += other.scaled;
+        whole += other.whole;
+        return *this;
+    }
+};
+
+/// What one pressure solve took.
+struct PressureSolve {
+    int iterations = 0;
+    double residual = 0;  ///< relative to the right-hand side
+    bool converged = false;
+    double highest = 0;  ///< Pa
+};
+
+/// Pressure that makes v* divergence-free, eq. 5 in symmetric form on soil and boundary particles:
+///   sum_j k_ij (q_i - q_j) = -(div(v* - dt grad(m p^n)/rho) - max(0, rho/rho_0 - 1)/T) / dt,  p = m p^n + q
+/// Dummies are eliminated (P^T A P), so the matrix is symmetric positive definite. At the free surface the
+/// missing neighbours are ghosts at p = 0: the diagonal is filled up to the lattice's sum of k
+/// (semi-Dirichlet), which keeps layers of one to three particles incompressible, as the paper's imposed
+/// pressure does not. A boundary particle that soil does not yet surround takes the mean of its neighbours:
+/// the density around it rises as soil arrives or thickens, which is no compression, and resisting it drags
+/// the front. Conjugate gradients with an additive two-level preconditioner. Negative pressure is cut off:
+/// dry soil bears no tension.
+class PressureSolver {
+  public:
+    /// `length`: scale of the mass, m, for the time in which excess density is worked off.
+    PressureSolver(const Discretisation& discretisation, double gravity, double length, double tolerance);
+
+    /// For cohesive soil, which bears a mean tension, Pa, and whose surface is free of traction without being
+    /// free of pressure. The projection starts from the whole old pressure, freed of noise: a share of it
+    /// would go to 0 at the surface, and what it sheds the deviatoric stress would have to carry. Without
+    /// cohesion p = 0 is no traction, since |s| <= p sin(phi).
+    void bear_tension(double tension) {
+        tension_ = tension;
+        filter_.emplace(discretisation_);
+    }
+
+    /// The wall is another one from now on.
+    void forget_wall() { coarse_.forget_wall(); }
+
+    /// On return soil and wall hold the pressure that the next step starts from.
+    PressureSolve solve(const Neighbours& n, Soil& soil, Wall& wall, const std::vector<double>& vx,
+                        const std::vector<double>& vy, const PressureStep& step);
+
+    /// Pressure per node that makes the velocity divergence-free at the end of the step, for the corrector.
+    [[nodiscard]] const std::vector<double>& node_pressure() const { return pressure_; }
+
+  private:
+    struct Iteration;
+
+    void set_up(const Neighbours& n, const Soil& soil, const Wall& wall);
+    void set_up_boundary(const Neighbours& n, const Wall& wall, int a);
+    void set_up_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall);
+    void make_room(const Neighbours& n);
+    void begin(TeamMember& member, const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
+               const std::vector<double>& vy, const PressureStep& step);
+    [[nodiscard]] double boundary_divergence(const Neighbours& n, int a) const;
+    double multiply(const Neighbours& n, const Wall& wall, int chunk, const std::vector<double>& x,
+                    std::vector<double>& out) const;
+    double multiply_boundary_row(const Neighbours& n, const Wall& wall, int a, const std::vector<double>& x,
+                                 std::vector<double>& out) const;
+    void turn(const Neighbours& n, int chunk, double beta, const double* coarse);
+    template <class Function>
+    void renew_residual(const Neighbours& n, int chunk, const Function& renew);
+    void precondition(Iteration& now);
+    void iterate(TeamMember& member, const Neighbours& n, const Wall& wall, Iteration& now);
+    double hand_over(const Neighbours& n, int chunk, double renewal, Soil& soil, Wall& wall);
+
+    Discretisation discretisation_;
+    double gravity_;
+    double relaxation_time_;  ///< s, least time in which excess density is worked off
+    double tolerance_;
+    double negligible_;  ///< residual of a pressure that decays where nothing presses, before it underflows
+    double tension_ = 0;
+    std::optional<PressureFilter> filter_;  ///< of cohesive soil
+    TeamSignals signals_;
+
+    CoarseLevel coarse_;
+    int steps_since_build_ = 0;
+    int iterations_after_build_ = 0;
+    int last_iterations_ = 0;
+
+    // Node arrays.
+    std::vector<FloatPair> trial_velocity_;  ///< v* under m p^n, m/s
+    std::vector<double> pressure_, right_hand_side_, diagonal_, residual_, direction_, product_;
+    std::vector<char> free_;
+
+    // Per chunk.
+    std::vector<double> partial_;
+    std::vector<ResidualNorms> partial_norms_;
+};
+
+}  // namespace runout

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/particles/soil.h"
+
+namespace runout {
+
+/// What must hold in every step of every run, whatever the scene. A reading is a pure number that may not
+/// exceed its limit.
+enum class Invariant {
+    particles,       ///< numbers lost or repeated: the mass is exact
+    penetration,     ///< depth of a particle behind the bed line, in spacings
+    speed,           ///< |v| / sqrt(2 g H), H the height of the source above the lowest bed; g H and what
+                     ///< shaking supplied
+    energy_rise,     ///< rise of the mechanical energy over the least so far / (M g H)
+    energy_balance,  ///< |energy lost - work of friction, of the projection and of the bed line| / (M g H)
+    density,         ///< excess of the densest particle over rho_0
+    volume,          ///< area lost by the mean excess of density over the least so far / area
+    pressure,        ///< tension beyond what the soil bears / (rho g H)
+    residual,        ///< steps in a row whose pressure solve missed its tolerance / 20; ends as not_converged
+    wall_guard,      ///< particles driven into the bed / particles, mean of all steps
+    time_step,       ///< floor of the step / step
+    count
+};
+
+/// The word stored and printed: "penetration", "energy_rise", ...
+const char* to_string(Invariant invariant);
+/// The limit and what it is a limit of, one line for people.
+const char* meaning_of(Invariant invariant);
+
+/// How near a run came to violating an invariant, and where.
+struct InvariantReading {
+    double worst = 0;
+    double limit = 0;
+    double time = 0;  ///< s, of the worst
+    double x = 0;     ///< m, local frame: the particle to blame, or the fastest where no single one is
+};
+using InvariantReadings = std::array<InvariantReading, static_cast<int>(Invariant::count)>;
+
+/// What the scene makes natural units of.
+struct InvariantScales {
+    double gravity = 0;  ///< m/s2
+    double height = 0;   ///< H, m
+    double spacing = 0;  ///< dl, m
+    double density = 0;  ///< rho_0, kg/m3
+    double courant = 0;  ///< of the step, eq. 6
+    double tension = 0;  ///< that the soil bears, Pa
+};
+
+/// What a step did, beyond the state it left.
+struct StepFacts {
+    double time = 0;            ///< s, after the step
+    double dt = 0;              ///< s
+    int unconverged = 0;        ///< steps in a row up to this one that missed the tolerance
+    double work_done = 0;       ///< taken from the motion since release, J/kg, mean of the particles
+    double work_supplied = 0;   ///< given to it by shaking since release, likewise
+    long driven_in = 0;         ///< particles that the wall guard had to put back
+    double greatest_depth = 0;  ///< behind the bed line after the guard, m
+    double depth_x = 0;         ///< where
+};
+
+/// What a step left of some of the soil.
+struct SoilSurvey {
+    long count = 0;
+    double energy = 0;  ///< kinetic and potential, sum over the particles, J/kg
+    double excess = 0;  ///< sum of the density above rho_0, in rho_0
+    long long numbers = 0;
+    double speed2 = 0, fastest_x = 0;  ///< of the fastest, m2/s2; what is no number stays
+    double density = 0, densest_x = 0;
+    double tension = 0, tension_x = 0;  ///< the greatest, Pa; what is no number stays
+    double first_x = std::numeric_limits<double>::infinity();
+    double last_x = -std::numeric_limits<double>::infinity();
+
+    SoilSurvey& operator+=(const SoilSurvey& next);
+};
+
+/// Of soil [first, last). `density`: rho / rho_0 per particle.
+SoilSurvey survey(const Soil& soil, const std::vector<double>& density, double gravity, int first, int last);
+
+/// Holds every step against the invariants.
+class InvariantWatch {
+  public:
+    explicit InvariantWatch(const InvariantScales& scales);
+
+    /// Soil was added at rest, the source may stand higher now; energy is reckoned anew from here.
+    void restart(double height);
+    /// `soil`: of all soil.
+    void observe(const SoilSurvey& soil, const StepFacts& step);
+
+    /// "energy_rise at t = 0.31 s, x = 1.2 m: 0.034, at most 0.02" for the first one violated, if any.
+    [[nodiscard]] const std::optional<std::string>& violation() const { return violation_; }
+    [[nodiscard]] const InvariantReadings& readings() const { return readings_; }
+    /// Share of the usual step to take from here on: below 1 once soil has been driven into the bed, or
+    /// pressed together, half as much as is allowed, and a quarter at the limit. Both come of long steps.
+    [[nodiscard]] double pace() const;
+
+  private:
+    void note(Invariant invariant, double value, double x);
+    void note_energy(double mechanical, double fastest_x, const StepFacts& step);
+
+    InvariantScales scales_;
+    InvariantReadings readings_;
+    double time_ = 0;
+    std::optional<std::string> violation_;
+    double start_energy_ = 0;  ///< less what shaking supplied, J/kg, mean of the particles
+    double least_energy_ = 0;
+    double start_work_ = 0;
+    bool started_ = false;
+    double least_crowding_ = 0;  ///< mean excess of density, the least so far
+    double driven_in_ = 0;       ///< sum over steps of the share of particles
+    long steps_ = 0;
+};
+
+}  // namespace runout

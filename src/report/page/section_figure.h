@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/page/run_data.h"
+#include "validation/entry.h"
+
+namespace runout {
+
+/// The part of a line whose x lies within [from, to]; where it crosses an end, the crossing is added.
+Polyline clipped(const Polyline& line, double from, double to);
+
+/// The free surface of the deposit (by top) over the bed, local frame, from the uphill end on.
+Polyline deposit_surface(const RunData& run);
+
+/// What of the section is worth showing: source and deposit with a margin, local frame.
+struct SectionWindow {
+    Vec2 low{0, 0}, high{1, 1};
+};
+SectionWindow section_view(const RunData& run);
+
+/// From the exit point up at the discontinuity angle to where it leaves the source.
+Polyline discontinuity_line(const SectionGeometry& geometry);
+
+/// Ground, source, slip surface, discontinuity line and final deposit, to scale.
+Figure section_figure(const RunData& run);
+
+}  // namespace runout
