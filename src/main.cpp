@@ -6,9 +6,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <new>
+#include <string_view>
 
 #include "core/input_error.h"
 #include "core/printable.h"
@@ -97,6 +100,27 @@ int parse_failure(const CLI::App& app, const CLI::ParseError& error, const std::
     return fail(exit_code::input_error, "error", fmt::format("{}; see runout --help", error.what()));
 }
 
+/// "-o=page.html" would write a file of the name "=page.html".
+void refuse_short_assignments(int argc, char** argv) {
+    for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
+        const std::string word = argv[i];
+        if (word.size() < 3 || word[0] != '-' || word[1] == '-' || word[2] != '=') continue;
+        throw InputError({.file = {}, .line = 0, .key = {}, .value = word},
+                         "has = after an option of one letter",
+                         fmt::format("write {} {}", word.substr(0, 2), word.substr(3)));
+    }
+}
+
+/// As of a variable of the shell that is not set: it says nothing, and is no name of a file.
+void refuse_empty_values(CLI::App& app) {
+    const auto check = [](const std::string& value) {
+        return value.empty() ? std::string("is empty; give a value, or leave it out") : std::string();
+    };
+    for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+        for (CLI::Option* option : sub->get_options())
+            if (option->get_items_expected_max() > 0) option->check(check);
+}
+
 int run_program(int argc, char** argv) {
     CLI::App app(
         "How far does a failing cut slope run? Takes a cross-section, derives the source mass, simulates "
@@ -131,6 +155,8 @@ int run_program(int argc, char** argv) {
     add_validate_command(app, command);
     add_stress_command(app, command);
     add_help_command(app, command);
+    refuse_empty_values(app);
+    refuse_short_assignments(argc, argv);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -145,6 +171,12 @@ void open_closed_streams() {
         if (fcntl(stream, F_GETFD) < 0) (void)open("/dev/null", O_RDWR);
 }
 
+/// A file that grows beyond a limit of the shell (ulimit -f) is a disk that is full: the write that fails is
+/// told.
+void let_writes_fail() {
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
 /// An answer that did not get out is none.
 int after_flush(int code) {
     const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
@@ -157,11 +189,15 @@ int after_flush(int code) {
 
 int main(int argc, char** argv) {
     open_closed_streams();
+    let_writes_fail();
     try {
         log_to_stderr();
         return after_flush(run_program(argc, argv));
     } catch (const InputError& error) {
         return fail(exit_code::input_error, "error", error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(exit_code::internal_error, "error",
+                    "the memory does not suffice; run coarser, or fewer runs at a time");
     } catch (const std::exception& error) {
         return fail(exit_code::internal_error, "internal error", error.what());
     }

@@ -17,7 +17,9 @@
 #include "program/case_arguments.h"
 #include "program/command.h"
 #include "program/interrupt.h"
+#include "program/number_option.h"
 #include "program/output_option.h"
+#include "program/patient_store.h"
 #include "report/chart/svg_chart.h"
 #include "report/page/accuracy_page.h"
 #include "report/text/ladder_text.h"
@@ -125,6 +127,7 @@ int study(const AccuracyArguments& arguments) {
     const WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
     InterruptWatch interrupt;
+    wait_for_others(store, arguments.database, interrupt.requested());
     Ladder ladder = climb_and_tell(scene, store, arguments, interrupt.requested());
     const std::vector<Price> prices = price_list(ladder);
     say(arguments, "\n" + ladder_summary(ladder, prices));
@@ -197,22 +200,16 @@ void add_accuracy_command(CLI::App& app, Command& command) {
         ->type_name("5%|0.25m")
         ->capture_default_str()
         ->group("Ladder");
-    sub->add_option("--budget", arguments->budget_s,
-                    "Time for the ladder; no rung is begun that would exceed it")
+    add_number_option(*sub, "--budget", arguments->budget_s,
+                      "Time for the ladder; no rung is begun that would exceed it", positive_number)
         ->type_name("s")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str()
         ->group("Ladder");
-    sub->add_option("--finest", arguments->at_least_to,
-                    "sqrt(S)/dl to go on to even if the target is met before, for a better reference")
-        ->type_name("number")
-        ->check(CLI::Range(0, 1000))
+    add_number_option(*sub, "--finest", arguments->at_least_to,
+                      "sqrt(S)/dl to go on to even if the target is met before, for a better reference",
+                      {0, 1000})
         ->group("Ladder");
-    sub->add_option("--lattices", arguments->lattices,
-                    "Runs on each rung: on the regular lattice and off it at random")
-        ->type_name("number")
-        ->check(CLI::Range(1, 100))
-        ->capture_default_str()
+    add_number_option(*sub, "--lattices", arguments->lattices,
+                      "Runs on each rung: on the regular lattice and off it at random", {1, 100})
         ->group("Ladder");
     sub->add_flag(
            "--methods", arguments->methods,

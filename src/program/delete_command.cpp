@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <iostream>
@@ -13,6 +14,7 @@
 #include "core/printable.h"
 #include "program/answer.h"
 #include "program/command.h"
+#include "program/number_option.h"
 #include "program/study_choice.h"
 #include "store/remove_runs.h"
 #include "store/store.h"
@@ -55,7 +57,10 @@ RunSelection selection_of(const DeleteArguments& arguments) {
     if (ways != 1)
         throw InputError({.file = {}, .line = 0, .key = "delete", .value = {}},
                          "must be told in one way what is to go", "give --run, --study or --older-than");
-    RunSelection selection{.run_ids = arguments.run_ids};
+    RunSelection selection;
+    for (const long id : arguments.run_ids)  // one that is named twice goes once
+        if (std::ranges::find(selection.run_ids, id) == selection.run_ids.end())
+            selection.run_ids.push_back(id);
     if (!arguments.study.empty())
         selection.study_id =
             chosen_study(Store(arguments.database, Store::Mode::read), arguments.database, arguments.study)
@@ -119,7 +124,7 @@ void add_delete_command(CLI::App& app, Command& command) {
     sub->add_option("DB", arguments->database, "Database of runs, such as runout.db")
         ->required()
         ->type_name("");
-    sub->add_option("--run", arguments->run_ids, "These runs; may be repeated")->type_name("ID");
+    add_id_option(*sub, "--run", arguments->run_ids, "These runs; may be repeated");
     sub->add_option("--study", arguments->study,
                     "A study with its runs, but those that another study has too")
         ->type_name("NAME|ID");

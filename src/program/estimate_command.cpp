@@ -7,6 +7,7 @@
 #include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
+#include "program/number_option.h"
 #include "program/study_choice.h"
 #include "report/text/estimate_text.h"
 #include "store/store.h"
@@ -82,8 +83,8 @@ int tell_estimate(const EstimateArguments& arguments) {
 }
 
 void add_number(CLI::App& sub, const char* option, double& value, const char* help, const char* unit,
-                const CLI::Validator& range) {
-    sub.add_option(option, value, help)->type_name(unit)->check(range)->group("Question in numbers");
+                const NumberRange& range) {
+    add_number_option(sub, option, value, help, range)->type_name(unit)->group("Question in numbers");
 }
 
 }  // namespace
@@ -101,16 +102,15 @@ void add_estimate_command(CLI::App& app, Command& command) {
     sub->add_option("--study", arguments->study, "Only the runs of this study; by default all runs")
         ->type_name("NAME|ID");
     ChartPlace& place = arguments->numbers.place;
-    add_number(*sub, "--slope-angle", place[0], "Inclination of the cut", "deg", CLI::Range(0.0, 90.0));
+    add_number(*sub, "--slope-angle", place[0], "Inclination of the cut", "deg", {0, 90});
     add_number(*sub, "--drop-height", place[1],
                "H_d/sqrt(S): head of the source above the toe over the root of its area", "ratio",
-               CLI::NonNegativeNumber);
+               not_negative);
     add_number(*sub, "--front-area", place[2], "S_front/S: part of the source above the discontinuity plane",
-               "ratio", CLI::Range(0.0, 1.0));
-    add_number(*sub, "--friction-angle,--phi", place[3], "Internal friction of the soil", "deg",
-               CLI::Range(0.0, 89.0));
+               "ratio", {0, 1});
+    add_number(*sub, "--friction-angle,--phi", place[3], "Internal friction of the soil", "deg", {0, 89});
     add_number(*sub, "--area", arguments->area, "Area S of the source: the answer is in metres too", "m2",
-               CLI::PositiveNumber);
+               positive_number);
     sub->add_flag("--check", arguments->check,
                   "Instead of an estimate: hold out runs in turn, and say how well they are estimated");
     sub->add_flag("--json", arguments->json, "Print one JSON object");

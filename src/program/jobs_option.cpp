@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "program/number_option.h"
+
 namespace runout {
 
 int default_jobs() {
@@ -10,10 +12,7 @@ int default_jobs() {
 }
 
 void add_jobs_option(CLI::App& command, int& jobs) {
-    command.add_option("-j,--jobs", jobs, "Runs at a time, each on one thread")
-        ->type_name("number")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+    add_number_option(command, "-j,--jobs", jobs, "Runs at a time, each on one thread", {1, 1024});
 }
 
 }  // namespace runout

@@ -6,6 +6,7 @@
 #include "core/printable.h"
 #include "program/answer.h"
 #include "program/command.h"
+#include "program/number_option.h"
 #include "program/output_option.h"
 #include "report/map/result_map.h"
 
@@ -47,11 +48,10 @@ void add_map_command(CLI::App& app, Command& command) {
     sub->add_option("--crs", arguments->crs,
                     "Coordinate system of a .gpkg, such as EPSG:2326 (default: that of the first section)")
         ->type_name("NAME");
-    sub->add_option("--neighbours-within", arguments->options.neighbours_within_m,
-                    "Toes of neighbouring sections, which a hazard band joins, are no farther apart")
-        ->type_name("m")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
+    add_number_option(*sub, "--neighbours-within", arguments->options.neighbours_within_m,
+                      "Toes of neighbouring sections, which a hazard band joins, are no farther apart",
+                      positive_number)
+        ->type_name("m");
     sub->add_flag("--every-run", arguments->options.every_run, "Not only the finest run of each question");
     add_overwrite_option(*sub, arguments->rules);
     sub->callback([arguments, &command] { command = [arguments] { return make_map(*arguments); }; });

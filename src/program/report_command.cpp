@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "program/command.h"
+#include "program/number_option.h"
 #include "program/output_option.h"
 #include "program/run_choice.h"
 #include "program/study_choice.h"
@@ -60,8 +61,8 @@ void add_report_command(CLI::App& app, Command& command) {
     CLI::App* sub =
         app.add_subcommand("report", "Write a page that shows a stored run, for any browser, offline");
     add_run_choice(*sub, arguments->choice);
-    sub->add_option("--section", arguments->section_id, "Show all runs on this section instead of one run")
-        ->type_name("ID")
+    add_id_option(*sub, "--section", arguments->section_id,
+                  "Show all runs on this section instead of one run")
         ->excludes("--run");
     sub->add_option("--study", arguments->study, "Show all scenarios of this study instead of one run")
         ->type_name("NAME|ID")

@@ -1,6 +1,7 @@
 #include "program/run_choice.h"
 
 #include "core/input_error.h"
+#include "program/number_option.h"
 
 namespace runout {
 
@@ -8,18 +9,15 @@ void add_run_choice(CLI::App& subcommand, RunChoice& choice) {
     subcommand.add_option("DB", choice.database, "Database of runs, such as runout.db")
         ->required()
         ->type_name("");
-    subcommand.add_option("--run", choice.run_id, "Number of the run; the last result if none is given")
-        ->type_name("ID");
+    add_id_option(subcommand, "--run", choice.run_id, "Number of the run; the last result if none is given");
 }
 
 void add_width_option(CLI::App& subcommand, double& width) {
-    subcommand
-        .add_option(
-            "--width", width,
-            "Width of the slide across the section: area times width is the volume that most relations ask "
-            "for")
-        ->type_name("m")
-        ->check(CLI::Range(1e-3, 1e6));
+    add_number_option(
+        subcommand, "--width", width,
+        "Width of the slide across the section: area times width is the volume that most relations ask for",
+        {1e-3, 1e6})
+        ->type_name("m");
 }
 
 long chosen_run(const Store& store, const RunChoice& choice) {

@@ -47,8 +47,8 @@ StoredRun RunKeeper::keep(const EndedRun& run) {
     if (is_elsewhere()) return keep_elsewhere(run);
     try {
         return keep_waiting(run);
-    } catch (const InputError& error) {
-        spdlog::warn("{}", error.what());
+    } catch (const std::exception& error) {  // whatever is wrong with that file, the run is not
+        spdlog::warn("{}: {}", path_, error.what());
         return keep_elsewhere(run);
     }
 }

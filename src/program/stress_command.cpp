@@ -12,6 +12,8 @@
 #include "program/command.h"
 #include "program/interrupt.h"
 #include "program/jobs_option.h"
+#include "program/number_option.h"
+#include "program/patient_store.h"
 #include "report/text/stress_table.h"
 #include "store/store.h"
 #include "store/write_ahead.h"
@@ -77,6 +79,7 @@ int stress(const StressArguments& arguments) {
     const WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
     InterruptWatch interrupt;
+    wait_for_others(store, arguments.database, interrupt.requested());
     StressOptions options;
     options.jobs = arguments.jobs;
     for (const std::string& setting : arguments.settings) options.settings.push_back(split(setting));
@@ -105,13 +108,8 @@ void add_stress_command(CLI::App& app, Command& command) {
     CLI::App* sub = app.add_subcommand(
         "stress",
         "Run random hard scenes and say how each ended and how near any came to losing its stability");
-    sub->add_option("--scenes", arguments->scenes, "How many, spread by a Latin hypercube")
-        ->type_name("number")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str();
-    sub->add_option("--seed", arguments->seed, "The same seed makes the same scenes")
-        ->type_name("number")
-        ->capture_default_str();
+    add_number_option(*sub, "--scenes", arguments->scenes, "How many, spread by a Latin hypercube", {1, 1e6});
+    add_number_option(*sub, "--seed", arguments->seed, "The same seed makes the same scenes", not_negative);
     sub->add_option("--range", arguments->ranges, "Narrow an axis, or fix it; may be repeated")
         ->type_name("axis=LOW:HIGH")
         ->allow_extra_args(false);

@@ -7,6 +7,7 @@
 #include "core/input_error.h"
 #include "program/answer.h"
 #include "program/command.h"
+#include "program/number_option.h"
 #include "program/study_choice.h"
 #include "report/text/run_out_table.h"
 #include "report/text/table.h"
@@ -85,10 +86,9 @@ void add_table_command(CLI::App& app, Command& command) {
     sub->add_option("--columns", arguments->layout.columns,
                     "What its columns are: drop_height_m, source_type or a varied key")
         ->type_name("word");
-    sub->add_option("--distance", arguments->layout.distances,
-                    "Tell the probability of reaching this distance")
-        ->type_name("m")
-        ->check(CLI::NonNegativeNumber);
+    add_number_option(*sub, "--distance", arguments->layout.distances,
+                      "Tell the probability of reaching this distance", not_negative)
+        ->type_name("m");
     sub->add_option("--format", arguments->format, "text, csv, json, or (of a study) markdown")
         ->type_name("word")
         ->capture_default_str();

@@ -13,6 +13,7 @@
 #include "program/interrupt.h"
 #include "program/jobs_option.h"
 #include "program/output_option.h"
+#include "program/patient_store.h"
 #include "report/page/validation_page.h"
 #include "store/store.h"
 #include "store/write_ahead.h"
@@ -117,6 +118,7 @@ int validate(ValidateArguments arguments) {
     const WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
     InterruptWatch interrupt;
+    wait_for_others(store, arguments.database, interrupt.requested());
     SuiteOptions options;
     options.cases_folder = arguments.cases;
     options.quick = arguments.quick;

@@ -185,6 +185,13 @@ std::vector<Gauge> place_gauges(const CaseSpec& spec, const Profile& profile) {
                              "give its chainage in metres");
         gauges[i].x = place_x(spec, profile, "gauge.chainage_m", gauges[i].x);
         if (gauges[i].name.empty()) gauges[i].name = fmt::format("gauge-{}", i + 1);
+        const auto end = gauges.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto same = std::ranges::find(gauges.begin(), end, gauges[i].name, &Gauge::name);
+        if (same != end)
+            throw InputError(spec.place("gauge.name"),
+                             fmt::format("names [[gauge]] {} and {} alike: {}", same - gauges.begin() + 1,
+                                         i + 1, gauges[i].name),
+                             "give each a name of its own");
     }
     return gauges;
 }

@@ -9,17 +9,13 @@
 #include <limits>
 
 #include "scene/effect_settings.h"
+#include "store/real_value.h"
 
 namespace runout {
 namespace {
 
 using SQLite::Database;
 using SQLite::Statement;
-
-// SQLite stores a bound NaN as NULL and reads NULL as 0, so only the way back needs care.
-double real(const SQLite::Column& column) {
-    return column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
-}
 
 /// Runs an INSERT once with these values.
 template <class... Values>
@@ -70,8 +66,9 @@ std::vector<GaugeRow> select_gauge_rows(Database& database, long run_id, long ga
     SQLite::bind(row, run_id, gauge);
     std::vector<GaugeRow> rows;
     while (row.executeStep())
-        rows.push_back({real(row.getColumn(0)), real(row.getColumn(1)), real(row.getColumn(2)),
-                        real(row.getColumn(3)), real(row.getColumn(4))});
+        rows.push_back({real_value(row.getColumn(0)), real_value(row.getColumn(1)),
+                        real_value(row.getColumn(2)), real_value(row.getColumn(3)),
+                        real_value(row.getColumn(4))});
     return rows;
 }
 
@@ -83,10 +80,10 @@ void select_gauges(Database& database, StoredRun& run) {
     whole.bind(1, run.run_id);
     while (whole.executeStep()) {
         const long index = static_cast<long>(run.gauges.size());
-        run.gauges.push_back({whole.getColumn(0).getString(), real(whole.getColumn(1)),
-                              real(whole.getColumn(2)), real(whole.getColumn(3)), real(whole.getColumn(4)),
-                              real(whole.getColumn(5)), real(whole.getColumn(6)),
-                              select_gauge_rows(database, run.run_id, index)});
+        run.gauges.push_back(
+            {whole.getColumn(0).getString(), real_value(whole.getColumn(1)), real_value(whole.getColumn(2)),
+             real_value(whole.getColumn(3)), real_value(whole.getColumn(4)), real_value(whole.getColumn(5)),
+             real_value(whole.getColumn(6)), select_gauge_rows(database, run.run_id, index)});
     }
 }
 
@@ -97,8 +94,9 @@ std::vector<BarrierRow> select_barrier_rows(Database& database, long run_id) {
     row.bind(1, run_id);
     std::vector<BarrierRow> rows;
     while (row.executeStep())
-        rows.push_back({real(row.getColumn(0)), real(row.getColumn(1)), real(row.getColumn(2)),
-                        real(row.getColumn(3)), real(row.getColumn(4))});
+        rows.push_back({real_value(row.getColumn(0)), real_value(row.getColumn(1)),
+                        real_value(row.getColumn(2)), real_value(row.getColumn(3)),
+                        real_value(row.getColumn(4))});
     return rows;
 }
 
@@ -109,7 +107,7 @@ void select_barrier(Database& database, StoredRun& run) {
                     " approach_thickness_m, design_force_n_m FROM barrier WHERE run_id = ?");
     whole.bind(1, run.run_id);
     while (whole.executeStep()) {
-        const auto value = [&](int column) { return real(whole.getColumn(column)); };
+        const auto value = [&](int column) { return real_value(whole.getColumn(column)); };
         run.barriers.push_back({value(0), value(1), value(2), value(3), value(4), value(5), value(6),
                                 value(7), value(8), value(9), value(10),
                                 select_barrier_rows(database, run.run_id)});
@@ -127,7 +125,7 @@ std::vector<EffectRow> select_states(Database& database, long run_id) {
         const std::string name = effect.getColumn(0).getString();
         const auto row = std::ranges::find(rows, name, &EffectRow::name);
         if (row != rows.end())
-            *row = {name, true, effect.getColumn(1).getString(), real(effect.getColumn(2))};
+            *row = {name, true, effect.getColumn(1).getString(), real_value(effect.getColumn(2))};
     }
     return rows;
 }
