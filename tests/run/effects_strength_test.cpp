@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/effects/shaking.h"
 #include "engine/simulation.h"
 #include "observe.h"
 #include "run/run_scene.h"

@@ -143,7 +143,7 @@ TEST_F(SceneTest, LaterMassesLeaveTheHillOneAfterTheOther) {
     const Scene scene = make_scene(sound_case(
         "[[effects.release.mass]]\ntime_s = 1\npoints = [[0.2, 0.4], [0.3, 0.4], [0.3, 0.5], [0.2, 0.5]]\n"));
     ASSERT_EQ(scene.effects.release->masses.size(), 1U);
-    EXPECT_NEAR(scene.effects.release->masses[0].area, 0.01, 1e-12);
+    EXPECT_NEAR(scene.effects.release->masses[0].mass.area, 0.01, 1e-12);
 }
 
 TEST_F(SceneTest, AShakingRecordIsRead) {
