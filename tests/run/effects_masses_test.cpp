@@ -90,15 +90,15 @@ TEST(Gauges, WhatPassesIsWhatLiesBeyondAndWhatFlowed) {
 
 TEST(LaterMasses, LandOnTheDepositOfTheFirst) {
     Scene scene = scenes::aluminium_column(21.9, 0.008);
-    const LaterMass later = scenes::mass_above_column(scene, 5.0, 0.05);
-    scene.effects.release = StagedRelease{.masses = {later}};
+    const LaterMass dropped = scenes::mass_above_column(scene, 5.0, 0.05);
+    scene.effects.release = StagedRelease{.masses = {dropped}};
     Simulation simulation(make_problem(scene));
     const std::size_t first = simulation.state().x.size();
     while (simulation.status() == RunStatus::running) simulation.step();
     EXPECT_EQ(simulation.status(), RunStatus::settled) << simulation.status_detail();
     EXPECT_GT(simulation.time(), 5.0);
     const StateView state = simulation.state();
-    EXPECT_NEAR(static_cast<double>(state.x.size() - first), later.mass.area / (0.008 * 0.008), 6.0);
+    EXPECT_NEAR(static_cast<double>(state.x.size() - first), dropped.mass.area / (0.008 * 0.008), 6.0);
     // Where it fell it lies on the soil of the first.
     double earlier = 0.0, later = 0.0;
     int earlier_count = 0, later_count = 0;
