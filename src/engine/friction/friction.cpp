@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "engine/pairs/operators.h"
+#include "engine/pairs/row_passes.h"
 #include "engine/pairs/strain_rate.h"
 #include "engine/threads/node_array.h"
-#include "engine/threads/row_passes.h"
 
 namespace runout {
 namespace {
