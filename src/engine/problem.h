@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/effects/effects.h"
-#include "engine/particles/mass.h"
+#include "engine/effects.h"
+#include "engine/mass.h"
 
 namespace runout {
 

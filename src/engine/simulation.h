@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/geometry.h"
+#include "engine/effects.h"
 #include "engine/effects/barrier_force.h"
-#include "engine/effects/effects.h"
-#include "engine/particles/packing.h"
+#include "engine/pairs/packing.h"
 #include "engine/problem.h"
 #include "engine/state_view.h"
 #include "engine/status.h"

@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "engine/pairs/operators.h"
+#include "engine/pairs/row_passes.h"
 #include "engine/threads/node_array.h"
-#include "engine/threads/row_passes.h"
 
 namespace runout {
 namespace {

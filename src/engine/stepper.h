@@ -3,16 +3,16 @@
 #include <optional>
 #include <vector>
 
-#include "engine/bed_guard.h"
+#include "engine/effects/bed_guard.h"
 #include "engine/effects/effect_set.h"
 #include "engine/effects/release.h"
-#include "engine/equilibrium.h"
 #include "engine/friction/friction.h"
-#include "engine/particles/packing.h"
+#include "engine/pairs/packing.h"
 #include "engine/pressure/pressure_solver.h"
 #include "engine/problem.h"
 #include "engine/state_view.h"
 #include "engine/watch/ending.h"
+#include "engine/watch/equilibrium.h"
 #include "engine/watch/phase_clock.h"
 #include "engine/watch/sleep_watch.h"
 #include "engine/watch/work_ledger.h"

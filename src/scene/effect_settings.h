@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/effects/effects.h"
+#include "engine/effects.h"
 #include "profile/profile.h"
 
 namespace runout {

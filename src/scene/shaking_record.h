@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/effects/effects.h"
+#include "engine/effects.h"
 
 namespace runout {
 

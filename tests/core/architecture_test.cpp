@@ -16,16 +16,50 @@ namespace fs = std::filesystem;
 
 using Names = std::vector<std::string>;
 
-/// The rooms in the order of src/rooms.txt. A room may include itself and what stands before it.
+/// First words of the lines of src/rooms.txt: "core", ..., "engine/threads", ...
+Names lines_of_rooms() {
+    Names names;
+    std::ifstream stream(fs::path(RUNOUT_SOURCE_DIR) / "src" / "rooms.txt");
+    for (std::string line; std::getline(stream, line);)
+        if (!line.empty() && line.front() != '#') names.push_back(line.substr(0, line.find(' ')));
+    return names;
+}
+
+/// The rooms in their order. A room may include itself and what stands before it.
 const Names& arrow() {
     static const Names rooms = [] {
-        Names names;
-        std::ifstream stream(fs::path(RUNOUT_SOURCE_DIR) / "src" / "rooms.txt");
-        for (std::string line; std::getline(stream, line);)
-            if (!line.empty() && line.front() != '#') names.push_back(line.substr(0, line.find(' ')));
+        Names names = lines_of_rooms();
+        std::erase_if(names, [](const std::string& name) { return name.find('/') != std::string::npos; });
         return names;
     }();
     return rooms;
+}
+
+/// The inner rooms of the engine, likewise.
+const Names& inner_arrow() {
+    static const Names rooms = [] {
+        Names names = lines_of_rooms();
+        std::erase_if(names, [](const std::string& name) { return name.find('/') == std::string::npos; });
+        return names;
+    }();
+    return rooms;
+}
+
+/// "engine/pairs" of "engine/pairs/operators.h"; "engine" of what stands at its top.
+std::string inner_room_of(const std::string& path) {
+    return path.substr(0, path.rfind('/'));
+}
+
+/// The engine includes core and itself, and its inner rooms those before them.
+bool is_within_engine(const std::string& path, const std::string& header) {
+    static const Names plain_data = {"engine/mass.h", "engine/effects.h", "engine/problem.h",
+                                     "engine/status.h"};
+    if (header.starts_with("core/") || std::ranges::find(plain_data, header) != plain_data.end()) return true;
+    if (!header.starts_with("engine/")) return false;
+    const auto place = [](const std::string& file) {
+        return std::ranges::find(inner_arrow(), inner_room_of(file)) - inner_arrow().begin();
+    };
+    return place(header) <= place(path);
 }
 
 struct Library {
@@ -86,6 +120,8 @@ Names faults(const std::string& path, const std::string& text) {
         const std::string room = room_of(header);
         if (!room.empty() && position(room) > position(room_of(path)))
             found.push_back(path + " includes " + header + " against the arrow");
+        else if (room_of(path) == "engine" && !room_of(header).empty() && !is_within_engine(path, header))
+            found.push_back(path + " includes " + header + " against the arrow within the engine");
         for (const Library& library : heavy_libraries())
             if (std::regex_match(header, library.header) && !is_place(path, library.places))
                 found.push_back(path + " includes " + header + ": not the place of " + library.name);
@@ -142,6 +178,9 @@ TEST(Architecture, LibrariesAreUsedWhereTheDesignSaysTheyAre) {
 
 TEST(ArchitectureChecker, FindsAnIncludeAgainstTheArrow) {
     EXPECT_EQ(faults("engine/kernel.h", "#pragma once\n#include \"store/store.h\"\n").size(), 1u);
+    EXPECT_EQ(faults("engine/pairs/operators.h", "#include \"engine/effects/barrier.h\"\n").size(), 1u);
+    EXPECT_EQ(faults("engine/watch/rest_watch.h", "#include \"engine/stepper.h\"\n").size(), 1u);
+    EXPECT_EQ(faults("engine/effects/release.cpp", "#include \"engine/problem.h\"\n").size(), 0u);
     EXPECT_EQ(faults("core/units.h", "# include \"profile/profile.h\"").size(), 1u);
     EXPECT_EQ(faults("report/table.cpp", "#include \"program/command.h\"\n").size(), 1u);
 }

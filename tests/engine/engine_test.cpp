@@ -8,7 +8,7 @@
 
 #include "engine/friction/friction.h"
 #include "engine/pairs/operators.h"
-#include "engine/particles/packing.h"
+#include "engine/pairs/packing.h"
 #include "engine/pressure/pressure_solver.h"
 #include "engine/simd/instruction_set.h"
 #include "filled_box.h"

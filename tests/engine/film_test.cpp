@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/particles/packing.h"
+#include "engine/pairs/packing.h"
 #include "engine/simulation.h"
 #include "observe.h"
 #include "scene/make_problem.h"

@@ -1,6 +1,6 @@
 // Passes that follow each other through the rows give what one pass after the other gives.
 
-#include "engine/threads/row_passes.h"
+#include "engine/pairs/row_passes.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "engine/effects.h"
 #include "engine/effects/barrier_force.h"
-#include "engine/effects/effects.h"
 #include "engine/pairs/particle_system.h"
 
 namespace runout {

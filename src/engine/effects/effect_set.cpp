@@ -2,8 +2,8 @@
 
 #include "engine/effects/cohesion.h"
 #include "engine/effects/side_walls.h"
+#include "engine/pairs/packing.h"
 #include "engine/particles/chain.h"
-#include "engine/particles/packing.h"
 #include "engine/watch/phase_clock.h"
 
 namespace runout {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/effects.h"
 #include "engine/effects/barrier.h"
-#include "engine/effects/effects.h"
 #include "engine/effects/erodible_bed.h"
 #include "engine/effects/pore_pressure.h"
 #include "engine/effects/shaking.h"

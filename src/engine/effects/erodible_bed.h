@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/effects/effects.h"
+#include "engine/effects.h"
 #include "engine/particles/soil.h"
 
 namespace runout {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/pairs/packing.h"
 #include "engine/particles/cell_grid.h"
-#include "engine/particles/packing.h"
 
 namespace runout {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/effects/effects.h"
+#include "engine/effects.h"
 #include "engine/particles/bed_line.h"
 #include "engine/particles/soil.h"
 

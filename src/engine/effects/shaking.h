@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "engine/effects/effects.h"
+#include "engine/effects.h"
 
 namespace runout {
 

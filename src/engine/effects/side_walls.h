@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/effects/effects.h"
+#include "engine/effects.h"
 #include "engine/particles/kernel.h"
 #include "engine/particles/soil.h"
 

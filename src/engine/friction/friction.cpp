@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "engine/pairs/operators.h"
+#include "engine/pairs/row_passes.h"
 #include "engine/pairs/strain_rate.h"
 #include "engine/threads/node_array.h"
-#include "engine/threads/row_passes.h"
 
 namespace runout {
 namespace {
@@ -51,16 +51,9 @@ void Friction::load(const ParticleSystem& particles, int chunk) {
 /// |e| of the velocity at the start of the step. A boundary particle has the mean rate of the soil on it.
 void Friction::find_strain_rate(TeamMember& member, const ParticleSystem& particles) {
     const Neighbours& n = particles.neighbours;
-    const Soil& soil = particles.soil;
-    const Wall& wall = particles.wall;
     const auto of_soil = [&](const PairBlock& block, int i, const VelocityGradient& plain) {
-        VelocityGradient g = plain;
-        if (n.nearest_boundary[i] >= 0) {
-            const BedLine::Nearest near =
-                wall.line.nearest({soil.x[i], soil.y[i]}, wall.segment[n.nearest_boundary[i]], 8);
-            g = gradient_without_slip(block, n, soil, i, plain, near, discretisation_.spacing);
-        }
-        g = g.corrected(n, i);
+        const VelocityGradient g =
+            gradient_without_slip(particles, block, i, plain, discretisation_.spacing).corrected(n, i);
         strain_rate_[i] = std::hypot(g.exx(), g.exy());
     };
     const auto of_boundary = [&](int a) {

@@ -5,8 +5,8 @@
 
 #include "engine/friction/yield_strength.h"
 #include "engine/pairs/particle_system.h"
+#include "engine/pairs/row_passes.h"
 #include "engine/problem.h"
-#include "engine/threads/row_passes.h"
 
 namespace runout {
 

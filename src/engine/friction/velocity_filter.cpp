@@ -9,18 +9,12 @@ namespace runout {
 void VelocityFilter::find_gradients(const ParticleSystem& particles) {
     const Neighbours& n = particles.neighbours;
     const Soil& soil = particles.soil;
-    const Wall& wall = particles.wall;
     soil_velocities(n, soil, velocity_);
     set_all(gradient_, soil.count, VelocityGradient{});
     for (const PairBlock& block : n.blocks) {
         for_each_velocity_gradient(block, n, velocity_.data(), [&](int i, const VelocityGradient& plain) {
-            VelocityGradient g = plain;
-            if (n.nearest_boundary[i] >= 0) {
-                const BedLine::Nearest near =
-                    wall.line.nearest({soil.x[i], soil.y[i]}, wall.segment[n.nearest_boundary[i]], 8);
-                g = gradient_without_slip(block, n, soil, i, plain, near, discretisation_.spacing);
-            }
-            gradient_[i] = g.corrected(n, i);
+            gradient_[i] =
+                gradient_without_slip(particles, block, i, plain, discretisation_.spacing).corrected(n, i);
         });
     }
 }

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/pairs/row_chunks.h"
 #include "engine/particles/cell_grid.h"
 #include "engine/particles/kernel.h"
 #include "engine/particles/soil.h"
 #include "engine/particles/wall.h"
 #include "engine/simd/pair_kernels.h"
-#include "engine/threads/row_chunks.h"
 
 namespace runout {
 

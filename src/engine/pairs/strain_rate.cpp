@@ -5,6 +5,8 @@
 namespace runout {
 namespace {
 
+constexpr int segments_near = 8;  // of the bed line, on either side of the nearest boundary particle's
+
 /// Sums over the pairs of one row.
 struct Sums {
     double wall_x = 0, wall_y = 0;          ///< V gradW over the wall, 1/m
@@ -34,15 +36,21 @@ Sums sums_of(const PairBlock& block, const Neighbours& n, const Soil& soil, int 
 
 }  // namespace
 
-VelocityGradient gradient_without_slip(const PairBlock& block, const Neighbours& n, const Soil& soil, int row,
-                                       const VelocityGradient& plain, const BedLine::Nearest& near,
-                                       double spacing) {
+VelocityGradient gradient_without_slip(const ParticleSystem& particles, const PairBlock& block, int row,
+                                       const VelocityGradient& plain, double spacing) {
+    const Neighbours& n = particles.neighbours;
+    const Soil& soil = particles.soil;
+    const Wall& wall = particles.wall;
+    const int boundary = n.nearest_boundary[row];
+    if (boundary < 0) return plain;
     const double b0 = n.correction[0][row];
     const double b1 = n.correction[1][row];
     const double b2 = n.correction[2][row];
     const double b3 = n.correction[3][row];
     if (b1 == 0.0 && b2 == 0.0 && b0 == 1.0 && b3 == 1.0) return plain;  // too lonely to have a gradient
     const double det = b0 * b3 - b1 * b2;
+    const BedLine::Nearest near =
+        wall.line.nearest({soil.x[row], soil.y[row]}, wall.segment[boundary], segments_near);
     const Sums soil_sums = sums_of(block, n, soil, row);
     // n . M of the wall, M being the whole moment matrix less the soil's part.
     const Vec2& normal = near.normal;

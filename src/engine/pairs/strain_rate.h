@@ -1,9 +1,7 @@
 #pragma once
 
-#include "engine/pairs/neighbours.h"
 #include "engine/pairs/operators.h"
-#include "engine/particles/bed_line.h"
-#include "engine/particles/soil.h"
+#include "engine/pairs/particle_system.h"
 
 namespace runout {
 
@@ -12,10 +10,9 @@ namespace runout {
 /// difference while strength does not depend on the rate. Where it does, the flow would slip on the line and
 /// the rate next to it would come out too small. So the particle sees the bed move against it in proportion
 /// to the distance from the line (Morris, Fox & Zhu 1997): exact for a velocity that is linear and 0 on the
-/// line. `plain`: with the bed at rest; `near`: of the particle; distances below a quarter of a spacing count
-/// as that.
-VelocityGradient gradient_without_slip(const PairBlock& block, const Neighbours& n, const Soil& soil, int row,
-                                       const VelocityGradient& plain, const BedLine::Nearest& near,
-                                       double spacing);
+/// line. `plain`: with the bed at rest, and what is returned where no bed is near; distances below a quarter
+/// of a spacing count as that.
+VelocityGradient gradient_without_slip(const ParticleSystem& particles, const PairBlock& block, int row,
+                                       const VelocityGradient& plain, double spacing);
 
 }  // namespace runout

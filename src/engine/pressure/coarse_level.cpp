@@ -9,8 +9,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "engine/pairs/row_passes.h"
 #include "engine/threads/node_array.h"
-#include "engine/threads/row_passes.h"
 
 namespace runout {
 namespace {

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "engine/pairs/particle_system.h"
+#include "engine/pairs/row_passes.h"
 #include "engine/pressure/coarse_level.h"
 #include "engine/pressure/pressure_filter.h"
-#include "engine/threads/row_passes.h"
 
 namespace runout {
 

@@ -1,8 +1,9 @@
 // A slab on a plane steeper than it can stand accelerates with g (sin t - sin(phi) cos t).
+#include <runout/engine/simulation.h>
+
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <runout/engine/simulation.h>
 
 int main() {
     const double slope = std::numbers::pi / 4, friction_angle = 30 * std::numbers::pi / 180;

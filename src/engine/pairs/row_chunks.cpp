@@ -1,4 +1,4 @@
-#include "engine/threads/row_chunks.h"
+#include "engine/pairs/row_chunks.h"
 
 #include <algorithm>
 #include <numeric>

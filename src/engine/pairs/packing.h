@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/geometry.h"
-#include "engine/particles/mass.h"
+#include "engine/mass.h"
 
 namespace runout {
 

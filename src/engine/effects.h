@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/geometry.h"
-#include "engine/particles/mass.h"
+#include "engine/mass.h"
 
 namespace runout {
 

@@ -1,9 +1,9 @@
-#include "engine/bed_guard.h"
+#include "engine/effects/bed_guard.h"
 
 #include <algorithm>
 
+#include "engine/pairs/row_passes.h"
 #include "engine/threads/node_array.h"
-#include "engine/threads/row_passes.h"
 
 namespace runout {
 namespace {

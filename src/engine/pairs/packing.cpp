@@ -1,4 +1,4 @@
-#include "engine/particles/packing.h"
+#include "engine/pairs/packing.h"
 
 #include <algorithm>
 #include <cmath>
