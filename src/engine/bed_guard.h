@@ -9,8 +9,8 @@
 
 namespace runout {
 
-/// Puts back soil that comes too near the bed line; see src/engine/README.md. Pressure keeps most of it out; what
-/// lands, and grains alone, which no pressure holds, are carried here.
+/// Puts back soil that comes too near the bed line; see src/engine/README.md. Pressure keeps most of it out;
+/// what lands, and grains alone, which no pressure holds, are carried here.
 class BedGuard {
   public:
     BedGuard(const Discretisation& discretisation, double gravity)

@@ -21,7 +21,8 @@ struct PressureStep {
     bool correct_density = true;  ///< work off density above rho_0
     /// Share of the new pressure in what soil and wall carry into the next step; the rest is what they
     /// carried. Strength and memory answer a pressure one step late, against it, and without this the
-    /// pressure of soil that moves alternates from step to step, the more the finer it is (src/engine/README.md).
+    /// pressure of soil that moves alternates from step to step, the more the finer it is
+    /// (src/engine/README.md).
     double renewal = 0.5;
 };
 
