@@ -10,8 +10,8 @@ namespace runout {
 class Equilibrium {
   public:
     static constexpr int rounds = 200;
-    static constexpr double least_change =
-        5e-4;  ///< of the acceleration from round to round, root mean square, in g
+    /// Of the acceleration from round to round, root mean square, in g.
+    static constexpr double least_change = 5e-4;
 
     Equilibrium(std::size_t particles, double gravity)
         : gravity_(gravity), ax_(particles, 0.0), ay_(particles, 0.0) {}

@@ -13,13 +13,13 @@ namespace {
 
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
-constexpr double falling_courant =
-    0.03;  // at most this many spacings for the fall within a step, see choose_time_step
+// At most this many spacings for the fall within a step, see choose_time_step.
+constexpr double falling_courant = 0.03;
 constexpr double sleep_window = 0.25;  // in sqrt(sqrt(S)/g)
 constexpr int equilibrium_iterations = 20;
 constexpr double no_pressure = 1e-6;  // of rho g sqrt(S); less counts as none
-constexpr double no_compression =
-    1e-3;  // excess of density, or its gain in sqrt(sqrt(S)/g); less counts as none
+// Excess of density, or its gain in sqrt(sqrt(S)/g); less counts as none.
+constexpr double no_compression = 1e-3;
 
 int threads_for(int wanted, std::size_t particles) {
     const int available =
@@ -227,14 +227,11 @@ void Stepper::let_sleep(int resting) {
 
 /// The least of three limits, s:
 /// - the Courant step of eq. 6. Lone grains may go a whole spacing, since flight needs no small steps; so
-/// they do not
-///   set the step of all;
+///   they do not set the step of all;
 /// - the same for the speed that gravity adds within the step, and less than films of grains can bear: they
-/// tremble when
-///   they fall further in a step;
+///   tremble when they fall further in a step;
 /// - the passage of a pressure wave. The lattice of particles answers a change of pressure explicitly, and
-/// without this
-///   limit a pile at rest fluidises.
+///   without this limit a pile at rest fluidises.
 /// Shorter where the run nears a limit of the checks.
 double Stepper::choose_time_step() {
     const Soil& soil = particles_.soil;

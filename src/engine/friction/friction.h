@@ -21,9 +21,8 @@ struct FrictionStep {
 /// Deviatoric stress of Coulomb soil and the velocity it allows.
 ///
 /// - `projected`: the yield condition |s| <= p sin(phi) is a constraint. It is met by an accelerated
-/// projected
-///   (Uzawa) iteration on s, in the spirit of Ionescu et al. 2015 and Bermudez & Moreno. At rest s balances
-///   the weight and nothing moves; at yield s tends to eq. 8.
+///   projected (Uzawa) iteration on s, in the spirit of Ionescu et al. 2015 and Bermudez & Moreno. At rest s
+///   balances the weight and nothing moves; at yield s tends to eq. 8.
 /// - `explicit_`: eq. 8 from the current strain rate, the paper as printed.
 ///
 /// The stress of cohesive soil grows with the plain velocity gradient, which is the adjoint of the divergence

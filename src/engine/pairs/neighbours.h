@@ -62,8 +62,8 @@ struct Neighbours {
     std::vector<int> active;            ///< wall index of each active boundary particle, ascending
     std::vector<int> left;              ///< boundary particles that were active last time and are no longer
     std::vector<int> node_of_boundary;  ///< per boundary particle of the wall; -1: not active
-    std::vector<int>
-        boundary_start;  ///< where the pairs of each `active` begin in boundary_pairs, and their end
+    /// Where the pairs of each `active` begin in boundary_pairs, and their end.
+    std::vector<int> boundary_start;
     std::vector<BoundaryPair> boundary_pairs;
     std::vector<int> boundary_soil;  ///< how many soil particles are within its own support, per `active`
 

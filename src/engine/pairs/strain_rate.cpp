@@ -41,8 +41,7 @@ VelocityGradient gradient_without_slip(const PairBlock& block, const Neighbours&
     const double b1 = n.correction[1][row];
     const double b2 = n.correction[2][row];
     const double b3 = n.correction[3][row];
-    if (b1 == 0.0 && b2 == 0.0 && b0 == 1.0 && b3 == 1.0)
-        return plain;  // too few neighbours to have a gradient
+    if (b1 == 0.0 && b2 == 0.0 && b0 == 1.0 && b3 == 1.0) return plain;  // too few neighbours
     const double det = b0 * b3 - b1 * b2;
     const Sums soil_sums = sums_of(block, n, soil, row);
     // n . M of the wall, with n the normal. M of the wall is the whole moment matrix less that of the soil.

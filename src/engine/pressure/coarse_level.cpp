@@ -16,8 +16,8 @@ namespace runout {
 namespace {
 
 constexpr double cell_spacings = 4.0;
-constexpr int reach =
-    2;  // cells that a pair can span; more than a support, as dummies count as their boundary particle
+// Cells that a pair can span; more than a support, as dummies count as their boundary particle.
+constexpr int reach = 2;
 constexpr int span = 2 * reach + 1;
 
 struct Cell {

@@ -52,12 +52,10 @@ struct PressureSolve {
 ///   sum_j k_ij (q_i - q_j) = -(div(v* - dt grad(m p^n)/rho) - max(0, rho/rho_0 - 1)/T) / dt,  p = m p^n + q
 /// - Dummies are eliminated (P^T A P), so that the matrix is symmetric positive definite.
 /// - At the free surface the missing neighbours are ghosts at p = 0: the diagonal is filled up to the
-/// lattice's sum
-///   of k (semi-Dirichlet). This keeps layers of one to three particles incompressible; the paper's imposed
-///   pressure does not.
+///   lattice's sum of k (semi-Dirichlet). This keeps layers of one to three particles incompressible; the
+///   paper's imposed pressure does not.
 /// - A boundary particle that soil does not yet surround takes the mean of its neighbours. The density around
-/// it
-///   rises as soil arrives or thickens. That is no compression, and resisting it drags the front.
+///   it rises as soil arrives or thickens. That is no compression, and resisting it drags the front.
 /// - Negative pressure is cut off: dry soil bears no tension.
 /// It is solved by conjugate gradients with an additive preconditioner of two levels.
 class PressureSolver {

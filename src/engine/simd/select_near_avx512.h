@@ -12,8 +12,8 @@ namespace runout::kernels {
 namespace {
 
 constexpr int group = 16;  // candidates that a row looks at at a time
-constexpr int most_near =
-    4 * group;  // neighbours of a row that fit here; even soil of twice the density has fewer
+// Neighbours of a row that fit here; even soil of twice the density has fewer.
+constexpr int most_near = 4 * group;
 
 /// What is near one row.
 struct NearRow {

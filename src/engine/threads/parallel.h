@@ -5,7 +5,7 @@
 namespace runout {
 
 /// Calls f(0) ... f(threads - 1), each on a thread of its own. f(t) does the share of thread t and must write
-/// only what belongs to that share.
+/// only what belongs to that share. So the result does not depend on the number of threads.
 template <class Function>
 void on_threads(int threads, const Function& f) {
     if (threads <= 1) {  // OpenMP makes and destroys a team of one for each loop: dearer than a short loop

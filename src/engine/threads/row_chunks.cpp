@@ -10,8 +10,8 @@ namespace runout {
 namespace {
 
 constexpr int least_blocks_of_chunk = 4;
-constexpr long pairs_of_boundary_pair =
-    3;  // what one costs: they are done one by one, but in half of the passes only
+// What one costs: they are done one by one, but in half of the passes only.
+constexpr long pairs_of_boundary_pair = 3;
 
 int block_of(int row) {
     return row / rows_per_block;

@@ -11,11 +11,9 @@ namespace runout {
 /// Judges whether the mass has come to rest: for some time no particle has got away from its place, and the
 /// mean motion since then has next to no energy.
 /// - What counts as motion: a single grain that is still on its way, and a pile that is about to give way.
-/// The pile at
-///   first moves by less than grains that tremble.
+///   The pile at first moves by less than grains that tremble.
 /// - What does not: trembling, which leads nowhere. On a bed of next to no friction lone grains may rock for
-/// ever from
-///   one particle of the bed to the next.
+///   ever from one particle of the bed to the next.
 /// So the further particles get from their places, the longer they are watched.
 class RestWatch {
   public:

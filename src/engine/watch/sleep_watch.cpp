@@ -16,8 +16,8 @@ constexpr double waking_motion = 0.025;
 constexpr double quiet_load = 0.2;  // of rho g dl, and a tenth of it of the pressure, in a window
 constexpr double waking_load = 0.5;
 constexpr double load_share = 0.1;
-constexpr double fastest_growth =
-    1.5;  // of the motion from one window to the next; beyond it soil is about to slide
+// Of the motion from one window to the next; beyond it soil is about to slide.
+constexpr double fastest_growth = 1.5;
 constexpr double least_motion = 0.002;  // spacings in a window; less counts as none
 
 }  // namespace
