@@ -4,11 +4,12 @@
 
 namespace runout {
 
-/// Soil that comes down in one piece, and the ground that it leaves.
+/// Soil that comes down in one piece, and the ground that it leaves. In a plane frame, y upwards, x towards
+/// the run-out.
 struct Mass {
-    Polygon outline{};  ///< m
-    Polyline bed{};     ///< from the uphill end to the distal end, x never decreases, m
-    double area = 0;    ///< within the outline, m2
+    Polygon outline{};  ///< corners, counter-clockwise, m
+    Polyline bed{};     ///< the ground it leaves, from the uphill to the distal end; x never decreases, m
+    double area = 0;    ///< within the outline, m2; must be that of the outline
 };
 
 }  // namespace runout

@@ -6,7 +6,7 @@ namespace runout {
 
 /// How a run ended, or that it has not.
 enum class RunStatus {
-    running,
+    running,        ///< not yet
     settled,        ///< came to rest by the engine's own criterion
     stable,         ///< came to rest without any particle having moved by two spacings: the source stands
     time_limit,     ///< still moving at the time limit
@@ -16,7 +16,7 @@ enum class RunStatus {
     interrupted,    ///< stopped by the user
 };
 
-/// The word stored and printed: "settled", "time_limit", ...
+/// The word stored and printed: "settled", "time_limit", ... "unknown" for what is none of them.
 constexpr std::string_view to_string(RunStatus status) {
     switch (status) {
         case RunStatus::running:
@@ -39,7 +39,7 @@ constexpr std::string_view to_string(RunStatus status) {
     return "unknown";
 }
 
-/// A run whose numbers may stand in a table.
+/// Whether it is that of a run whose numbers may stand in a table: settled or stable.
 constexpr bool is_result(RunStatus status) {
     return status == RunStatus::settled || status == RunStatus::stable;
 }

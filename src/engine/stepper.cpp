@@ -13,11 +13,13 @@ namespace {
 
 constexpr int particles_per_thread = 1500;     // below this a second thread costs more than it brings
 constexpr double pressure_wave_courant = 0.5;  // dt <= 0.5 dl / sqrt(p_max / rho), see choose_time_step
-constexpr double falling_courant = 0.03;       // spacings that soil at rest may fall in a step, see there
-constexpr double sleep_window = 0.25;          // in sqrt(sqrt(S)/g)
+// At most this many spacings for the fall within a step, see choose_time_step.
+constexpr double falling_courant = 0.03;
+constexpr double sleep_window = 0.25;  // in sqrt(sqrt(S)/g)
 constexpr int equilibrium_iterations = 20;
-constexpr double no_pressure = 1e-6;     // of rho g sqrt(S)
-constexpr double no_compression = 1e-3;  // density above rho_0, or gained in sqrt(sqrt(S)/g)
+constexpr double no_pressure = 1e-6;  // of rho g sqrt(S); less counts as none
+// Excess of density, or its gain in sqrt(sqrt(S)/g); less counts as none.
+constexpr double no_compression = 1e-3;
 
 int threads_for(int wanted, std::size_t particles) {
     const int available =
@@ -43,8 +45,8 @@ double leftmost(const std::vector<Vec2>& points) {
     return x;
 }
 
-/// A mass that slides on with the speed of its fall H needs sqrt(2 H/g) / strength to stop on level ground;
-/// on a bed close to repose it takes many times as long.
+/// Time limit, s. A mass that slides on with the speed of its fall H needs sqrt(2 H/g) / strength to stop on
+/// level ground. On a bed close to repose it takes many times as long, hence the factors.
 double time_to_stop(double height, double gravity, double strength) {
     return std::max(60.0, 20.0 / std::max(strength, 0.01)) * std::sqrt(height / gravity);
 }
@@ -63,7 +65,7 @@ ProblemScales scales_of(const Problem& problem, const EffectSet& effects) {
             highest(problem.mass.outline) - floor};
 }
 
-/// All soil and the bed, with the first numbers for the mass and the next for the layer of an erodible bed.
+/// All soil and the bed. The mass has the first numbers, the layer of an erodible bed those that follow.
 ParticleSystem particles_at_release(const Packing& packing, const Polyline& ground, EffectSet& effects,
                                     const Discretisation& discretisation) {
     ParticleSystem particles;
@@ -138,8 +140,8 @@ void Stepper::step() {
     clock_.leave();
 }
 
-/// One round towards pressure and stress in balance on the frozen geometry, the mass not yet moving. Without
-/// it the first moments of every run, and cases close to stability, are wrong.
+/// One round towards the state at release: pressure and stress in balance with gravity, the particles not
+/// moving. Without it the first moments of every run are wrong, and so are cases close to stability.
 void Stepper::balance() {
     const double dt = 0.1 * discretisation_.spacing / std::sqrt(settings_.gravity * scales_.length);
     clock_.enter(Phase::equilibrium);
@@ -158,7 +160,7 @@ void Stepper::balance() {
     equilibrium_.end_round();
 }
 
-/// The next layer or mass of a staged release. Its stress is that of free fall, none.
+/// Adds the next layer or mass of a staged release, free of stress as in free fall.
 void Stepper::let_go_what_is_due() {
     if (release_.stage_ended()) {
         const Release::Layer layer =
@@ -169,7 +171,7 @@ void Stepper::let_go_what_is_due() {
     if (const LaterMass* later = release_.mass_due(time_)) let_go_mass(later->mass);
 }
 
-/// The mass, with the bed that it leaves.
+/// Adds the mass, and changes the bed to what it leaves.
 void Stepper::let_go_mass(const Mass& mass) {
     Wall& wall = particles_.wall;
     ground_ = BedLine(mass.bed);
@@ -184,7 +186,7 @@ void Stepper::let_go_mass(const Mass& mass) {
     if (sleep_) sleep_->wake_all(particles_.soil, time_);
 }
 
-/// More soil, at rest. What was at rest is taken as at rest, and energy is reckoned anew from here.
+/// Adds soil at rest, m. Rest and energy are judged anew from here.
 void Stepper::add_soil(const std::vector<Vec2>& points) {
     append_soil(particles_.soil, points);
     starts_.insert(starts_.end(), points.begin(), points.end());
@@ -207,7 +209,7 @@ void Stepper::find_neighbours() {
     for (const int b : n.left) wall.pressure[b] = wall.sxx[b] = wall.sxy[b] = 0.0;
 }
 
-/// What sleeps has no velocity and no force; the trembling that it fell asleep with is booked.
+/// Sets velocity and pressure gradient of sleeping soil to 0. The energy that it trembled with is booked.
 void Stepper::let_sleep(int resting) {
     Soil& soil = particles_.soil;
     Neighbours& n = particles_.neighbours;
@@ -223,11 +225,14 @@ void Stepper::let_sleep(int resting) {
     ledger_.numerical += discretisation_.mass() * trembling;
 }
 
-/// The least of three limits: the Courant step of eq. 6; the same for the speed that gravity adds within the
-/// step, and never more than films of grains stand, which tremble when they fall further in a step; and the
-/// passage of a pressure wave, since the lattice of particles answers a change of pressure explicitly:
-/// without this one a pile at rest fluidises. Lone grains, whose flight takes no small steps, do not set the
-/// pace for all: they may go a whole spacing. Shorter where the run nears a limit of the checks.
+/// The least of three limits, s:
+/// - the Courant step of eq. 6. Lone grains may go a whole spacing, since flight needs no small steps; so
+///   they do not set the step of all;
+/// - the same for the speed that gravity adds within the step, and less than films of grains can bear: they
+///   tremble when they fall further in a step;
+/// - the passage of a pressure wave. The lattice of particles answers a change of pressure explicitly, and
+///   without this limit a pile at rest fluidises.
+/// Shorter where the run nears a limit of the checks.
 double Stepper::choose_time_step() {
     const Soil& soil = particles_.soil;
     const Neighbours& n = particles_.neighbours;
@@ -251,8 +256,8 @@ double Stepper::choose_time_step() {
     return invariants_.pace() * dt;
 }
 
-/// Nothing touches the bed, bears pressure or is being compressed: friction and pressure are then both
-/// nothing. Cohesive soil holds together by itself.
+/// Whether nothing touches the bed, bears pressure or is being compressed: friction and pressure are then
+/// both 0. Never for cohesive soil, which holds together by itself.
 bool Stepper::in_free_flight() {
     const Neighbours& n = particles_.neighbours;
     const double weight = discretisation_.density * settings_.gravity * scales_.length;
@@ -270,7 +275,7 @@ bool Stepper::in_free_flight() {
     return true;
 }
 
-/// As `predict_and_project`, where nothing resists.
+/// As `predict_and_project`, in free flight.
 PressureSolve Stepper::fly(double dt) {
     Soil& soil = particles_.soil;
     const Vec2 gain = dt * effects_.body_acceleration(time_);
@@ -286,8 +291,7 @@ PressureSolve Stepper::fly(double dt) {
     return {.converged = true};
 }
 
-/// Friction and pressure. On return the predicted velocity and the pressure gradient are there for the
-/// corrector.
+/// Friction and pressure. On return `predicted_` and `pressure_gradient_` are those that `correct` needs.
 PressureSolve Stepper::predict_and_project(double dt) {
     clock_.enter(Phase::friction);
     friction_.predict(particles_,
@@ -299,8 +303,7 @@ PressureSolve Stepper::predict_and_project(double dt) {
     return pressure_.solve(particles_, predicted_, {.dt = dt}, pressure_gradient_);
 }
 
-/// Eq. 4. On return the velocity is that of the end of the step, and the work of friction and pressure is
-/// booked.
+/// Eq. 4: the velocity becomes that of the end of the step. The work of friction and pressure is booked.
 void Stepper::correct(double dt) {
     Soil& soil = particles_.soil;
     const Neighbours& n = particles_.neighbours;
@@ -332,12 +335,13 @@ void Stepper::correct(double dt) {
     ledger_.friction += discretisation_.mass() * work.friction;
     ledger_.pressure += discretisation_.mass() * work.pressure;
     ledger_.numerical += discretisation_.mass() * work.integration;
-    // What gravity gives is potential energy; what the ground's motion gives comes on top.
+    // Work of the body force less that of gravity, which counts as potential energy: what the ground's motion
+    // gives.
     ledger_.shaking +=
         discretisation_.mass() * (gain.x() * work.momentum_x + (gain.y() + dt * gravity) * work.momentum_y);
 }
 
-/// x += dt v^{n+1}: the mean of old and new velocity collapses the pile.
+/// x += dt v^{n+1}. With the mean of old and new velocity a pile collapses.
 void Stepper::move(double dt) {
     Soil& soil = particles_.soil;
     const Neighbours& n = particles_.neighbours;

@@ -19,8 +19,8 @@
 
 namespace runout {
 
-/// What friction took, pressure gave, and the integration in time lost within one step, per mass of one
-/// particle, J/kg; and its momentum.
+/// Work within one step, summed over particles, J/kg: taken by friction, given by pressure, and lost by the
+/// integration in time. And the sum of the mean velocities, m/s.
 struct StepWork {
     double friction = 0, pressure = 0, integration = 0;
     double momentum_x = 0, momentum_y = 0;
@@ -34,7 +34,7 @@ struct StepWork {
     }
 };
 
-/// Room for what is used within one part of a step and then forgotten.
+/// Memory that one part of a step uses; its values are not needed afterwards.
 struct StepScratch {
     std::vector<double> greatest;            ///< per chunk
     std::vector<StepWork> work;              ///< per chunk
@@ -43,12 +43,12 @@ struct StepScratch {
     std::vector<double> flight_divergence;   ///< per node, 1/s
 };
 
-/// Natural measures of the problem.
+/// Measures that the problem has by itself.
 struct ProblemScales {
     double length = 0;  ///< sqrt(S), m
     double time = 0;    ///< of free fall through it, s
     double floor = 0;   ///< lowest bed elevation, m
-    double height = 0;  ///< of the highest soil at its release above the floor, m
+    double height = 0;  ///< of the highest soil at its release, above the floor, m
 };
 
 /// The state of a run, and its step.
@@ -103,7 +103,7 @@ class Stepper {
     BedLine ground_;  ///< the bed without barrier and erodible layer
     ProblemScales scales_;
     ParticleSystem particles_;
-    std::vector<Vec2> starts_;  ///< positions at release, by id
+    std::vector<Vec2> starts_;  ///< positions at release by id, m
     NeighbourSearch search_;
     Friction friction_;
     PressureSolver pressure_;

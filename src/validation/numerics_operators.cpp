@@ -138,7 +138,7 @@ void check_kernel(CaseReport& report) {
                                    absolute, 1e-7, "midpoint rule, 20,000 rings"));
     report.entries.push_back(exact("kernel, sum over the square lattice", 1.0105, d.lattice_sum * d.volume(),
                                    absolute, 5e-5, "h = 1.3 dl",
-                                   "reference: docs/engine.md; densities are scaled by it"));
+                                   "reference: src/engine/README.md; densities are scaled by it"));
     report.entries.push_back(exact("kernel gradient, first moment over the square lattice", 1.0,
                                    lattice_moment(d), absolute, ValidationEntry::none, "h = 1.3 dl",
                                    "what the plain gradient is too large by at any spacing"));

@@ -14,14 +14,14 @@ Polyline barrier_outline(const Polyline& ground, const Barrier& barrier);
 /// Adds up the forces of the pairs between the soil and the barrier's part of the bed.
 class BarrierLoad {
   public:
-    /// `outline`: of the barrier, its points in the chain of the bed; see barrier_outline.
+    /// `outline`: that of barrier_outline; its points are part of the bed line.
     BarrierLoad(const Polyline& outline, const Wall& wall, const Discretisation& discretisation);
 
-    /// For a bed that has changed elsewhere.
+    /// Call it when the bed has changed elsewhere: finds the barrier's segments again.
     void find_segments(const Wall& wall);
-    /// Once a step, after the pressure is known.
+    /// Reads the force of this step. Call it once a step, after the pressure is known.
     void measure(const ParticleSystem& particles, double dt);
-    /// The guard of the wall took this impulse of a particle (kg m/s) from the soil at a segment of the bed.
+    /// BedGuard took this impulse (kg m/s) from a particle at a segment of the bed.
     void add_guard_impulse(int segment, const Vec2& impulse);
 
     [[nodiscard]] const BarrierForce& now() const { return now_; }

@@ -8,7 +8,7 @@
 namespace runout {
 namespace {
 
-constexpr double harmless_depth = 0.05;  // spacings; what presses no further beyond the bed is no defect
+constexpr double harmless_depth = 0.05;  // spacings; a particle that is driven in by less is not counted
 constexpr int segments_near = 8;
 
 BedLine::Nearest nearest_bed(const ParticleSystem& particles, int i) {
@@ -21,15 +21,14 @@ BedLine::Nearest nearest_bed(const ParticleSystem& particles, int i) {
 
 }  // namespace
 
-/// How near the bed line soil may come, m. Soil in company as near as pressure lets it; a grain alone, which
-/// no pressure holds, as near as the lowest row of a lattice lies, or it would be shot out where others join
-/// it.
+/// How near soil may come to the bed line, m. Soil in company: to the line, since pressure keeps it off. A
+/// lone grain: to half a spacing, where the lowest row of a lattice lies. Nearer, it would be shot out when
+/// others join it.
 double BedGuard::clearance(const Neighbours& n, int i) const {
     return 0.5 * (1.0 - n.company[i]) * discretisation_.spacing;
 }
 
-/// Finds how far all soil is from as near to the bed line as it may come; nothing for what rests. What the
-/// bed gave in the last step is forgotten.
+/// Finds gap_ for all soil (0 for soil that sleeps), and sets to 0 the push of the bed line in the last step.
 void BedGuard::find_gaps(ParticleSystem& particles) {
     const Neighbours& n = particles.neighbours;
     Soil& soil = particles.soil;
@@ -69,13 +68,14 @@ void BedGuard::put_back(int i, const Step& step, StepFacts& facts) {
     const Soil& soil = step.particles.soil;
     const BedLine::Nearest near = nearest_bed(step.particles, i);
     const bool in_company = step.particles.neighbours.company[i] == 1.0F;
-    // A grain alone is carried here, and may have come a whole spacing in the step.
+    // A lone grain may have gone a whole spacing in the step, and is put back all the way.
     const double depth = -gap_[i];
     const double back = in_company ? std::min(depth, 0.5 * discretisation_.spacing) : depth;
     const Vec2 taken = push_back(i, back, near.normal, step);
     step.effects.add_guard_impulse(near.segment, discretisation_.mass() * taken);
-    // Soil under pressure should have been kept out by it; what nothing presses simply lands. That is the
-    // pressure of this step: what is carried on outlasts it.
+    // Soil that nothing presses simply lands. Soil under pressure should have been kept out by it, and counts
+    // as driven in. Asked for is the pressure of this step too, since the one that is carried on lasts
+    // longer.
     const bool pressed = soil.pressure[i] > 0.0 && step.node_pressure[i] > 0.0;
     if (back > harmless_depth * discretisation_.spacing && in_company && pressed) ++facts.driven_in;
     if (depth - back <= facts.greatest_depth) return;
@@ -83,7 +83,7 @@ void BedGuard::put_back(int i, const Step& step, StepFacts& facts) {
     facts.depth_x = soil.x[i];
 }
 
-/// Returns the change of velocity that the bed took.
+/// Moves particle `i` out by `distance`. Returns the velocity that the bed took from it, m/s.
 Vec2 BedGuard::push_back(int i, double distance, const Vec2& normal, const Step& step) {
     Soil& soil = step.particles.soil;
     const double dt = step.dt;
@@ -97,7 +97,8 @@ Vec2 BedGuard::push_back(int i, double distance, const Vec2& normal, const Step&
     const double push = std::min(inward / dt, gravity_);
     soil.contact_x[i] = push * normal.x();
     soil.contact_y[i] = push * normal.y();
-    // Since it met the bed it has slid too far, or a grain would creep down a slope that holds it.
+    // Friction also takes back the way that it slid since it met the bed. Else a grain would creep down a
+    // slope that holds it.
     const double since = inward * dt > distance ? distance / inward : dt;
     const Vec2 moved = distance * normal - (1.0 - kept) * since * slip;
     soil.x[i] += moved.x();

@@ -9,21 +9,21 @@
 
 namespace runout {
 
-/// Puts back soil that comes too near the bed line; see docs/engine.md. Pressure keeps most of it out; what
-/// lands, and grains alone, which no pressure holds, are carried here.
+/// Puts back soil that comes too near the bed line; see src/engine/README.md. Pressure keeps most soil out.
+/// Carried here are soil that has just landed, and lone grains, which no pressure holds.
 class BedGuard {
   public:
     BedGuard(const Discretisation& discretisation, double gravity)
         : discretisation_(discretisation), gravity_(gravity) {}
 
-    /// No particle nearer the bed line than it may come: it is put back, in company by at most half a
-    /// spacing, and its velocity into the bed ends. `node_pressure`: of this step, Pa. Says how many were
-    /// driven in and how deep the deepest still is.
+    /// Puts back each particle that is nearer to the bed line than it may come, in company by at most half a
+    /// spacing, and takes its velocity into the bed. `node_pressure`: of this step, Pa. Returns how many
+    /// particles were driven in, and how deep the deepest still is.
     StepFacts put_back(ParticleSystem& particles, const std::vector<double>& node_pressure, double dt,
                        EffectSet& effects, WorkLedger& ledger);
 
   private:
-    /// What a step gives, and what it takes.
+    /// What it works on in one step.
     struct Step {
         ParticleSystem& particles;
         const std::vector<double>& node_pressure;
@@ -39,7 +39,7 @@ class BedGuard {
 
     Discretisation discretisation_;
     double gravity_;
-    std::vector<double> gap_;        ///< to how near the bed line a particle may come, per particle, m
+    std::vector<double> gap_;  ///< distance to the bed line, less that to which it may come, per particle, m
     std::vector<char> some_inside_;  ///< per chunk: some of it is nearer
 };
 

@@ -9,8 +9,9 @@
 namespace runout {
 namespace {
 
-// Shares of the velocity filter. With the lesser one a cut near its limit slowly comes apart; with the
-// greater one Bagnold's profile is off by 3.0 % in place of 2.7.
+// How much the velocity filter takes out in a step, of cohesive soil and where friction depends on the rate.
+// With the lesser value a cut near its limit slowly comes apart; with the greater one Bagnold's profile is
+// off by 3.0 % in place of 2.7.
 constexpr double standing_filter = 0.5;
 constexpr double flowing_filter = 0.25;
 
@@ -83,7 +84,8 @@ const std::vector<double>* EffectSet::pore_pressure(const ParticleSystem& partic
     return &water_->find(particles, time);
 }
 
-/// Gravity has done its work at the velocity before, and the soil moves with the one after.
+/// The work of gravity was reckoned with the velocity before, but the soil moves with the one after. The
+/// difference is booked as numerical.
 void EffectSet::damp(ParticleSystem& particles, double dt, WorkLedger& ledger) {
     if (!filter_ && !effects_.side_walls) return;
     const double before = sum_of_rise(particles.soil);

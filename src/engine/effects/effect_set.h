@@ -17,29 +17,30 @@
 
 namespace runout {
 
-/// The effects that a problem names, at work. The step calls each of the verbs below in its place; what is
-/// absent has no state and does nothing there.
+/// The effects that a problem names, at work. A step calls the verbs below in their order. An effect that is
+/// absent has no state and does nothing.
 class EffectSet {
   public:
     EffectSet(const Problem& problem, const Discretisation& discretisation);
 
-    // Before the start, and when the bed has changed.
+    // Before the start, and when soil or bed has changed.
 
     /// The rigid bed under this ground: lowered by the erodible layer, with the barrier on it. The ground
     /// itself where there is neither.
     [[nodiscard]] Polyline bed_under(const Polyline& ground) const;
-    /// Particles of the erodible layer, m; none without one. `first_id`: the number that they go on from.
+    /// Particles of the erodible layer, m; none without one. `first_id`: the number of its first particle.
     std::vector<Vec2> layer_soil(const Polyline& ground, int first_id);
-    /// Takes up its place on the bed. `starts`: positions of all soil at release by id, m.
+    /// To be called once, when soil and bed are there. `starts`: positions of all soil at release by id, m.
     void start(const Polyline& ground, const ParticleSystem& particles, const std::vector<Vec2>& starts);
-    /// Soil that is let go later, ids following.
+    /// Soil was added: its positions by id, m, with numbers that follow those before.
     void take_in(const std::vector<Vec2>& starts);
+    /// The bed has changed.
     void take_new_wall(const Wall& wall);
 
     // Strength.
 
     [[nodiscard]] YieldStrength yield_strength(const Wall& wall) const;
-    /// On the bed at x, over the effective pressure.
+    /// Strength on the bed at x over the effective pressure.
     [[nodiscard]] double base_strength(double x) const { return base_strength_ratio(material_, effects_, x); }
     /// Greatest mean tension that the soil bears, Pa; 0 without cohesion.
     [[nodiscard]] double tension() const { return tension_cut_off(material_, effects_); }
@@ -57,16 +58,16 @@ class EffectSet {
     void shift(ParticleSystem& particles, double dt, WorkLedger& ledger);
     /// The bed took this impulse of a particle (kg m/s) from the soil at one of its segments.
     void add_guard_impulse(int segment, const Vec2& impulse);
-    /// At the end: reads off what the soil does.
+    /// At the end of the step: reads off what the soil does to a barrier and to an erodible layer.
     void observe(const ParticleSystem& particles, const std::vector<Vec2>& starts, double dt);
 
     // What is known of them.
 
-    /// Something still acts that could set soil at rest in motion.
+    /// At `time` something still acts that could set soil at rest in motion.
     [[nodiscard]] bool act_at(double time) const { return shaking_ && time < shaking_->ends(); }
     /// Null without a barrier.
     [[nodiscard]] const BarrierForce* barrier_force() const { return barrier_ ? &barrier_->now() : nullptr; }
-    /// Per soil particle; empty without an erodible layer.
+    /// Per soil particle, 1 where it is of the erodible layer and has not moved; empty without such a layer.
     [[nodiscard]] std::span<const char> resting_layer() const;
     /// Soil of the layer that has moved, m2.
     [[nodiscard]] double eroded_area() const;

@@ -8,7 +8,7 @@
 namespace runout {
 namespace {
 
-constexpr double moved_spacings = 2.0;  // that soil of the bed must move to count as debris
+constexpr double moved_spacings = 2.0;  // by which soil of the bed must move to count as debris
 
 }  // namespace
 

@@ -7,8 +7,8 @@
 
 namespace runout {
 
-/// The same layer as deep as the nearest whole number of particles, at least one: a layer of one and a half
-/// would start squeezed.
+/// The same layer with its depth rounded to whole particles, at least one. A layer of one and a half would
+/// start squeezed.
 ErodibleBed with_whole_rows(ErodibleBed layer, double spacing);
 
 /// Outline of the layer, counter-clockwise: between the ground and the same lowered by its depth.
@@ -23,8 +23,8 @@ class RestingLayer {
     /// `first_id`, `end_id`: of the layer's soil.
     RestingLayer(int first_id, int end_id, double spacing);
 
-    /// Soil counts as debris from when it has moved by two spacings, and stays it. `starts`: positions at
-    /// release by id, m.
+    /// To be called after each step. Soil that has moved by two spacings counts as debris from then on.
+    /// `starts`: positions at release by id, m.
     void observe(const Soil& soil, const std::vector<Vec2>& starts);
 
     /// Per soil particle: 1 where it has not moved.

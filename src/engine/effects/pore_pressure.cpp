@@ -71,7 +71,7 @@ const std::vector<double>& PoreWater::find(const ParticleSystem& particles, doub
         if (ratio > 0.0) pressure_[i] = ratio * weight * depth(soil.x[i], soil.y[i]);
     }
     for (int a = 0; a < n.active_count(); ++a) {
-        // The bed has the water of the soil on it, whose mean is that of its pairs.
+        // The bed has the water of the soil on it: the mean over its pairs.
         double sum = 0.0;
         for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k)
             sum += ratio_[soil.id[n.boundary_pairs[k].soil]];

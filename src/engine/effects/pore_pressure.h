@@ -8,12 +8,12 @@
 
 namespace runout {
 
-/// Soil thickness over chainage, by mass: each particle's volume is shared between the two nearest columns,
-/// so that the sum is exact and linear surfaces stay linear.
+/// Thickness of the soil along x, by mass. Each particle's volume is divided between the two nearest columns,
+/// so that the total is exact and a surface that is linear stays linear.
 class ColumnThickness {
   public:
     void measure(const Neighbours& n, const Soil& soil, const Discretisation& discretisation);
-    /// m, linear between the columns.
+    /// Thickness at x, m; linear between the columns.
     [[nodiscard]] double at(double x) const;
 
   private:
@@ -30,12 +30,12 @@ class PoreWater {
     PoreWater(const PorePressure& effect, const Discretisation& discretisation, double gravity,
               const std::vector<Vec2>& starts);
 
-    /// For soil that is let go later, ids following.
+    /// Soil was added: its positions, m, with numbers that follow those before.
     void append(const std::vector<Vec2>& starts);
 
     /// u of every node where the particles are now, Pa; valid until the next call.
     const std::vector<double>& find(const ParticleSystem& particles, double time);
-    /// As found last.
+    /// u as found last, per node, Pa.
     [[nodiscard]] const std::vector<double>& pressure() const { return pressure_; }
 
   private:

@@ -9,23 +9,23 @@
 
 namespace runout {
 
-/// What of a staged release has been let go, and what is still to come.
+/// A staged release: what has been let go, and what is still to come.
 class Release {
   public:
     /// `head`: x of the uphill end of the first mass, m.
     Release(StagedRelease release, double head);
 
-    /// Soil has come to rest. False if no more is to come; else either the next mass, at whose instant `time`
-    /// then stands, since nothing happens until then; or the next layer, which is due at once.
+    /// To be called when the soil has come to rest. False if nothing more is to come. If a mass is next,
+    /// `time` becomes its instant, since nothing happens until then; if a layer is next, it is due at once.
     bool goes_on(double& time);
     /// All soil let go so far is at rest; the next layer is due.
     [[nodiscard]] bool stage_ended() const { return stage_ended_; }
-    /// Soil has been added; what was at rest is taken as at rest.
+    /// Soil has been added; the next stage begins.
     void begin_stage() { stage_ended_ = false; }
 
-    /// The next mass if its instant has come, else null.
+    /// The next mass if its instant has come, else null. Each is given once.
     const LaterMass* mass_due(double time);
-    /// A lattice of particles, m, and its upper end.
+    /// Positions of particles, and the elevation of the layer's upper end; both m.
     struct Layer {
         std::vector<Vec2> points;
         double top = 0;
@@ -42,9 +42,8 @@ class Release {
     bool stage_ended_ = false;
 };
 
-/// Particles that fill a mass which is let go later. Where soil that came down before lies in its place, the
-/// whole mass is let go from above it: it is raised by spacings until no two particles are nearer than 0.7 of
-/// one.
+/// Particles, m, that fill a mass which is let go later. Where earlier soil lies in its place the whole mass
+/// is raised, a spacing at a time, until no particle of it is nearer than 0.7 spacings to that soil.
 std::vector<Vec2> place_mass(const Mass& mass, const Soil& soil, double spacing, double smoothing_ratio);
 
 }  // namespace runout

@@ -5,15 +5,14 @@
 
 namespace runout {
 
-/// How the ground is accelerated, and what that does to soil seen from the ground. Linear between the
-/// instants of a record; still after its end.
+/// How the ground is accelerated: linear between the instants of a record, still after its end.
 class GroundMotion {
   public:
     explicit GroundMotion(Shaking shaking) : shaking_(std::move(shaking)) {}
 
-    /// m/s2, in the local frame.
+    /// Acceleration of the ground, m/s2, in the frame of the problem.
     [[nodiscard]] Vec2 acceleration(double time) const;
-    /// Instant after which a record has nothing more to say, s; 0 for a constant coefficient.
+    /// When a record ends, s; 0 for a constant acceleration.
     [[nodiscard]] double ends() const { return shaking_.time.empty() ? 0.0 : shaking_.time.back(); }
 
   private:

@@ -6,10 +6,10 @@
 
 namespace runout {
 
-/// Coulomb friction of two parallel walls, distance W apart: each particle loses 2 p' tan(delta) dt / (rho W)
-/// of its speed, and never more than it has. Across the channel soil at yield in plane strain presses with
-/// its mean stress p', less the pore pressure (per node, null: dry). Returns the energy it took, J/kg summed
-/// over the particles.
+/// Coulomb friction of two parallel walls, W apart. Each particle loses 2 p' tan(delta) dt / (rho W) of its
+/// speed, and never more than it has. p' is the mean stress less the pore pressure: soil at yield in plane
+/// strain presses with it across the channel. `pore_pressure`: per node, Pa; null: dry. Returns the energy
+/// taken, J/kg summed over the particles.
 double brake_by_side_walls(const SideWalls& walls, const Discretisation& discretisation,
                            const std::vector<double>* pore_pressure, double dt, Soil& soil);
 

@@ -95,8 +95,8 @@ void Friction::save(int chunk, ParticleSystem& particles) const {
     });
 }
 
-/// Base velocity = v^n + dt (g - grad p / rho): the last known pressure included. The stress turns with the
-/// soil (Jaumann); |s| is kept.
+/// Base velocity = v^n + dt (g - grad p / rho), with the pressure carried from the last step. The stress
+/// turns with the soil (Jaumann rate), which keeps |s|.
 void Friction::start_rows(const PairRows& rows, int last, const ParticleSystem& particles,
                           const FrictionStep& step, NodeVectors& gradient) {
     const Neighbours& n = particles.neighbours;
@@ -127,7 +127,7 @@ void Friction::trial_velocity(const PairRows& rows, int last, double dt) {
     }
 }
 
-/// Of the velocity gradients that stress grows with.
+/// Correction matrices of the velocity gradient that stress grows with: none for cohesive soil.
 const std::array<std::vector<float>, 4>& Friction::correction(const Neighbours& n) const {
     return yield_.cohesive() ? no_correction_ : n.correction;
 }
@@ -146,7 +146,7 @@ void Friction::project(const PairRows& rows, const Neighbours& n, double step, d
     pair_kernels().update_stress(rows, update);
 }
 
-/// As update_stress, at active boundary particle `a`.
+/// As PairKernels::update_stress, at active boundary particle `a`.
 void Friction::project_boundary(const Neighbours& n, int a, double step, float momentum) {
     const int i = n.first_boundary + a;
     const VelocityGradient g = boundary_velocity_gradient(n, a, velocity_.data()).corrected(correction(n), i);
@@ -160,7 +160,7 @@ void Friction::project_boundary(const Neighbours& n, int a, double step, float m
     stress_[i] = bound;
 }
 
-/// Eq. 8 from the velocity at hand.
+/// Eq. 8 from the velocity at the start of the step.
 void Friction::yield_from_strain_rate(const Neighbours& n, int chunk) {
     const auto update = [&](int i, const VelocityGradient& plain) {
         const VelocityGradient g = plain.corrected(n, i);
@@ -188,8 +188,8 @@ void Friction::final_velocity(const PairRows& rows, int last, const Soil& soil, 
     }
 }
 
-/// Nesterov's sequence from its sixth term on: the stress starts from that of the last step, and the small
-/// momenta of the first terms, meant for a start that is far off, only lose iterations.
+/// Nesterov's sequence from its sixth term on. The small momenta of its first terms are for a start that is
+/// far off; the stress of the last step is a good start, and they would only cost iterations.
 void Friction::set_momenta(int iterations) {
     momenta_.clear();
     double t = first_momentum_term;

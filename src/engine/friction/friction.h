@@ -10,25 +10,25 @@
 
 namespace runout {
 
-/// What a predictor step is made under.
+/// What a predictor step needs besides the particles.
 struct FrictionStep {
-    double dt = 0;
-    Vec2 body{0, 0};     ///< acceleration by gravity and whatever shakes, m/s2
+    double dt = 0;       ///< s
+    Vec2 body{0, 0};     ///< gravity, less the acceleration of the ground, m/s2
     int iterations = 0;  ///< of the projected scheme; 0: as set for the run
     const std::vector<double>* pore_pressure = nullptr;  ///< per node, Pa; null: dry
 };
 
 /// Deviatoric stress of Coulomb soil and the velocity it allows.
 ///
-/// `projected`: the yield condition |s| <= p sin(phi) is a constraint, met by an accelerated projected
-/// (Uzawa) iteration on s in the spirit of Ionescu et al. 2015 and Bermudez & Moreno: at rest s balances the
-/// weight and nothing moves; at yield s tends to eq. 8. `explicit_`: eq. 8 from the current strain rate, the
-/// paper as printed.
+/// - `projected`: the yield condition |s| <= p sin(phi) is a constraint. It is met by an accelerated
+///   projected (Uzawa) iteration on s, in the spirit of Ionescu et al. 2015 and Bermudez & Moreno. At rest s
+///   balances the weight and nothing moves; at yield s tends to eq. 8.
+/// - `explicit_`: eq. 8 from the current strain rate, the paper as printed.
 ///
-/// The stress of cohesive soil grows with the plain velocity gradient, the adjoint of the divergence of
-/// stress, in place of the renormalised one of eq. 9. With that one the small motions of soil at rest feed
-/// stresses that carry nothing (self-stress), until it yields for no reason; soil without cohesion has no
-/// place to keep them, its strength being nothing at the surface.
+/// The stress of cohesive soil grows with the plain velocity gradient, which is the adjoint of the divergence
+/// of stress, and not with the renormalised one of eq. 9. With the latter, the small motions of soil at rest
+/// build up stress that carries nothing (self-stress), until the soil yields for no reason. Soil without
+/// cohesion cannot keep such stress, since its strength is 0 at the surface.
 class Friction {
   public:
     /// `iterations`: of a step that does not say how many.
@@ -36,13 +36,13 @@ class Friction {
              int iterations);
 
     /// Predictor, eq. 3. On return soil and wall hold the new stress, and `predicted` the velocity v* under
-    /// gravity and friction, without pressure. The pressure is the one the last solve left; `gradient` takes
-    /// its gradient at the soil that does not sleep, Pa/m.
+    /// gravity and friction, without pressure. Friction sees the pressure that soil and wall carry from the
+    /// last step; on return `gradient` is that of this pressure, at the soil that does not sleep, Pa/m.
     void predict(ParticleSystem& particles, const FrictionStep& step, NodeVectors& predicted,
                  NodeVectors& gradient);
 
     [[nodiscard]] const YieldStrength& yield() const { return yield_; }
-    /// For a bed that has changed.
+    /// Call it when the bed has changed.
     void set_yield(YieldStrength yield) { yield_ = std::move(yield); }
 
   private:
@@ -76,8 +76,8 @@ class Friction {
     std::vector<double> pressure_;
     std::vector<double> strain_rate_;                  ///< |e|, 1/s; only where strength depends on it
     std::vector<float> strength_;                      ///< yield stress, Pa
-    std::vector<FloatPair> stress_;                    ///< sxx and sxy of this iterate, Pa
-    std::vector<FloatPair> ahead_;                     ///< extrapolated
+    std::vector<FloatPair> stress_;                    ///< sxx and sxy of this iteration, Pa
+    std::vector<FloatPair> ahead_;                     ///< stress_, extrapolated by the momentum
     std::vector<FloatPair> base_velocity_;             ///< under gravity and pressure, m/s
     std::vector<FloatPair> velocity_;                  ///< trial velocity v~
     std::array<std::vector<float>, 4> no_correction_;  ///< only for cohesive soil

@@ -7,15 +7,15 @@
 
 namespace runout {
 
-/// Takes out of the motion what alternates from particle to particle. Gradients over a lattice do not see it
-/// (hourglass modes), so friction does not resist it; where soil shears long or holds by cohesion, rows lock
-/// in pairs and the stress turns striped. What the gradients explain is left alone: the exchange
-///   v_i += share sum_j w_ij (v_j - v_i - (G_i + G_j)/2 . (x_j - x_i)),   w_ij = k_ij / lattice sum of k,
-/// after the hourglass control of Ganzenmueller 2015, is 0 for any velocity quadratic in place and keeps
-/// momentum.
+/// Takes out of the motion what alternates from particle to particle. Gradients over a lattice do not see
+/// such motion (hourglass modes), so friction does not resist it. Where soil shears for long or holds by
+/// cohesion, rows of particles then move in pairs and the stress turns striped. With G the velocity gradient:
+///   v_i += share sum_j w_ij (v_j - v_i - (G_i + G_j)/2 . (x_j - x_i)),   w_ij = k_ij / lattice sum of k.
+/// This is 0 for any velocity that is quadratic in place, so that motion which the gradients see is left
+/// alone; it conserves momentum. After the hourglass control of Ganzenmueller 2015.
 class VelocityFilter {
   public:
-    /// `share`: of the difference to the neighbours that a step takes.
+    /// `share`: how much of the difference to the neighbours is taken out in a step, 0 to 1.
     VelocityFilter(const Discretisation& discretisation, double share)
         : discretisation_(discretisation), share_(share) {}
 

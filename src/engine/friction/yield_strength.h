@@ -9,12 +9,11 @@
 
 namespace runout {
 
-/// Strength on the bed over the effective pressure at x: tan(delta) where that is less than sin(phi), else
+/// Strength on the bed at x over the effective pressure: tan(delta) where that is less than sin(phi), else
 /// sin(phi).
 double base_strength_ratio(const Material& material, const Effects& effects, double x);
 
-/// What resists sliding on the bed where that is least, over the pressure: sin(phi), or tan(delta) of a
-/// weaker base.
+/// Strength on the bed over the pressure, where it is least: sin(phi), or tan(delta) of a weaker base.
 double least_strength(const Material& material, const Effects& effects);
 
 /// base_strength_ratio per boundary particle. Empty where the whole bed is rough.
@@ -26,14 +25,16 @@ double tension_cut_off(const Material& material, const Effects& effects);
 
 /// Yield stress of Coulomb soil,
 ///   |s| <= c cos(phi) + max(p - u, -T) mu,   mu = sin(phi), or mu(I) where friction depends on the rate.
-/// On a weaker base tan(delta) stands for sin(phi), and cohesion is reduced in the same proportion: the soil
-/// within the kernel's reach of the bed carries the traction to the bed, so all of it gets that strength.
+/// On a weaker base tan(delta) takes the place of sin(phi), and cohesion is reduced in the same proportion.
+/// All soil within the kernel's reach of the bed gets that strength, since it carries the traction to the
+/// bed.
 class YieldStrength {
   public:
     YieldStrength(const Material& material, const Effects& effects, std::vector<double> base_ratios);
 
-    /// Yield stress, Pa, of a node whose nearest boundary particle is `boundary` (-1: none near). Where the
-    /// effect is there, `pore_pressure` and `strain_rate`, |e|, are looked at: Pa, Pa and 1/s.
+    /// Yield stress, Pa, of a node whose nearest boundary particle is `boundary` (-1: none near).
+    /// `pore_pressure`, Pa, and `strain_rate`, |e|, 1/s, count only where their effects are there.
+    /// `pressure`: Pa.
     [[nodiscard]] double at(int boundary, double pressure, double pore_pressure, double strain_rate) const {
         const double p = std::max(wet_ ? pressure - pore_pressure : pressure, -tension_);
         if (boundary >= 0 && !base_ratios_.empty()) {

@@ -11,11 +11,12 @@
 namespace runout {
 namespace {
 
-// How far from all other soil a grain is on its own, and how near it is in company, in kernel supports.
+// A grain is alone where all other soil is farther than the first, and in company where some is nearer than
+// the second. In kernel supports.
 constexpr double lone_distance = 0.9;
 constexpr double company_distance = 0.8;
 
-/// Leaves a share of all wall pairs of a row.
+/// Multiplies all wall pairs of a row by `share`.
 void fade(WallRow& row, float share) {
     for (WallPair& pair : row.merged) {
         for (float* value : {&pair.gx, &pair.gy, &pair.stiffness, &pair.own_gx, &pair.own_gy})
@@ -29,7 +30,8 @@ void fade(WallRow& row, float share) {
         *value *= share;
 }
 
-/// Inverse of the moment matrix; the identity for a particle too lonely to have a gradient.
+/// Writes the inverse of the moment matrix; the identity for a particle with too few neighbours to have a
+/// gradient.
 void invert_moment(const double* m, Neighbours& n, int node) {
     const double det = m[0] * m[3] - m[1] * m[2];
     const double size2 = m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + m[3] * m[3];
@@ -46,7 +48,7 @@ struct SliceRows {
     std::array<WallRow, lanes> wall;
 };
 
-/// The columns of a row ascend, as the ranges of the spatial order do.
+/// The last neighbour of a row has the highest number, since rows are filled in spatial order.
 void widen_reach(PairBlock& block, const NearSlice& near) {
     for (int l = 0; l < lanes; ++l) {
         if (near.count[l] == 0) continue;
@@ -55,8 +57,9 @@ void widen_reach(PairBlock& block, const NearSlice& near) {
     }
 }
 
-/// Room for one more slice, and for those to come as if they were like the ones there are: room taken bit by
-/// bit leaves holes in memory. Entries are those of the step before until they are written.
+/// Room for one more slice. It is taken for the whole block at once, as if the slices to come were like those
+/// that are there: taking it bit by bit would leave holes in memory. New entries hold old values until they
+/// are written.
 void grow(PairBlock& block, std::size_t size, int slices) {
     if (block.column.size() >= size) return;
     const auto fit_whole = [&](auto& field) {
@@ -67,7 +70,7 @@ void grow(PairBlock& block, std::size_t size, int slices) {
     for (auto* field : {&block.gx, &block.gy, &block.stiffness}) fit_whole(*field);
 }
 
-/// Entries of which nothing comes.
+/// Padding: entries that add 0 to every sum.
 void clear(PairBlock& block, std::size_t first, std::size_t last) {
     std::fill(&block.column[first], &block.column[first] + (last - first), 0);
     for (auto* field : {&block.gx, &block.gy, &block.stiffness})
@@ -75,7 +78,7 @@ void clear(PairBlock& block, std::size_t first, std::size_t last) {
 }
 
 /// Writes the soil pairs of a slice and finds their geometry. Short lanes are filled up with separations of
-/// one support, of which nothing comes.
+/// one support, which add 0 to every sum.
 void write_soil_pairs(PairBlock& block, std::size_t first, NearSlice& near, const PairFinder& finder,
                       SliceSums& sums) {
     const int width = near.width();
@@ -108,8 +111,8 @@ void write_wall_pairs(PairBlock& block, std::size_t first, int first_row, const 
     }
 }
 
-/// Brings fields of one length into a new order, a few at a time through the same scratch, each thread its
-/// share of the new order.
+/// Brings fields of one length into a new order: `at_once` fields at a time, through the same scratch memory,
+/// each thread its share of the new order.
 template <class T, std::size_t fields, std::size_t at_once>
 void permute(const std::array<std::vector<T>*, fields>& values, const std::vector<int>& order,
              const std::vector<int>& shares, std::array<std::vector<T>, at_once>& scratch) {
@@ -146,7 +149,7 @@ void NeighbourSearch::sort(Soil& soil) {
     permute(fields.names, order_, share_rows_, name_scratch_);
 }
 
-/// Each thread goes on with the rows that it works on.
+/// In the next step each thread finds the pairs of the rows that it worked on in this one.
 void NeighbourSearch::keep_shares(const Neighbours& n) {
     const RowChunks& chunks = n.chunks;
     fit(share_blocks_, chunks.shares() + 1);
@@ -223,11 +226,11 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
     }
 }
 
-/// A grain without others around it meets the bed line as a point mass, which the wall guard carries.
+/// A lone grain is a point mass that the bed line carries, see BedGuard: its wall pairs fade.
 void NeighbourSearch::fade_lone_grains(Neighbours& n, int first_row, const SliceSums& soil,
                                        std::array<WallRow, lanes>& wall) const {
     for (int l = 0; l < lanes; ++l) {
-        // Between the two the share rises evenly, so that rounding cannot decide what a grain is.
+        // Between the two limits it rises evenly, so that rounding cannot decide what a grain is.
         const double rise = (soil.kernel[l] - lone_kernel_) / (company_kernel_ - lone_kernel_);
         const auto share = static_cast<float>(std::clamp(rise, 0.0, 1.0));
         n.company[first_row + l] = share;
@@ -239,7 +242,7 @@ void NeighbourSearch::write_resting_sums(Neighbours& n, int i, const WallRow& wa
     n.density[i] = 1.0;
     n.stiffness_sum[i] = n.surface_x[i] = n.surface_y[i] = 0.0;
     n.nearest_boundary[i] = wall.nearest_boundary;
-    n.correction[0][i] = n.correction[3][i] = 1.0F;  // the identity, as for a lonely particle
+    n.correction[0][i] = n.correction[3][i] = 1.0F;  // the identity, as where neighbours are too few
     n.correction[1][i] = n.correction[2][i] = 0.0F;
 }
 
@@ -252,13 +255,13 @@ void NeighbourSearch::write_sums(Neighbours& n, int i, const SliceSums& soil, in
     n.surface_x[i] = soil.surface_x[lane] + w.surface_x;
     n.surface_y[i] = soil.surface_y[lane] + w.surface_y;
     n.nearest_boundary[i] = wall.nearest_boundary;
-    const double xy = soil.xy[lane] + w.xy;  // twice: gradW lies along the pair
+    const double xy = soil.xy[lane] + w.xy;  // both off the diagonal: gradW lies along the pair
     const double moment[4] = {soil.xx[lane] + w.xx, xy, xy, soil.yy[lane] + w.yy};
     invert_moment(moment, n, i);
 }
 
 void NeighbourSearch::number_boundary(const Soil& soil, const Wall& wall, Neighbours& n) {
-    // Nothing here may take time in proportion to the length of the section.
+    // Sections may be long: nothing here may loop over all boundary particles in every step.
     if (n.node_of_boundary.size() != static_cast<std::size_t>(wall.boundary_count)) {
         n.node_of_boundary.assign(static_cast<std::size_t>(wall.boundary_count), -1);
         n.active.clear();

@@ -14,12 +14,11 @@
 
 namespace runout {
 
-/// Soil-wall pair seen from the soil row. All wall particles of one group are merged into their boundary
-/// particle.
+/// A pair of soil and wall, seen from the soil. A boundary particle and its dummies (a group) make one pair.
 struct WallPair {
     int row = 0;                   ///< soil particle
     int boundary = 0;              ///< boundary particle of the wall
-    int slot = 0;                  ///< position in the block's columns
+    int slot = 0;                  ///< its entry in the block's arrays
     float gx = 0, gy = 0;          ///< V gradW, the group's sum, 1/m
     float stiffness = 0;           ///< k, the group's sum
     float own_gx = 0, own_gy = 0;  ///< V gradW of the boundary particle alone
@@ -27,9 +26,9 @@ struct WallPair {
     bool own = false;              ///< the boundary particle itself is within the support
 };
 
-/// Pair rows of up to 128 soil particles in slices of 16 lanes: entry k of lane l stands at offset + 16 k +
-/// l, so that a loop over the lanes adds to 16 rows at once and each row is summed in its own order on every
-/// machine.
+/// The pairs of up to 128 soil particles, a row each, in slices of 16 rows. Entry k of the row in lane l
+/// stands at offset + 16 k + l: a loop over the lanes adds to 16 rows at once, and each row is summed in its
+/// own order on every machine.
 struct PairBlock {
     int first_row = 0;
     int highest = 0;  ///< highest soil row among the rows and their pairs
@@ -41,7 +40,7 @@ struct PairBlock {
     std::vector<WallPair> wall_pairs;  ///< entries of `column` that are boundary particles
 };
 
-/// One soil particle as a boundary particle sees it.
+/// The same pair, seen from the boundary particle.
 struct BoundaryPair {
     int soil = 0;
     float gx = 0, gy = 0;  ///< V gradW of the whole group, from the boundary's side
@@ -49,7 +48,8 @@ struct BoundaryPair {
     float own_gx = 0, own_gy = 0;  ///< of the boundary particle alone
 };
 
-/// Who is near whom, and the geometry of it, for the particles where they stand now.
+/// Which particles are near each other, and the geometry of these pairs, for the particles where they stand
+/// now.
 ///
 /// Nodes are numbered: soil [0, soil.count), padding up to soil.padded(), then the active boundary particles,
 /// those with soil within the support of their group.
@@ -62,9 +62,10 @@ struct Neighbours {
     std::vector<int> active;            ///< wall index of each active boundary particle, ascending
     std::vector<int> left;              ///< boundary particles that were active last time and are no longer
     std::vector<int> node_of_boundary;  ///< per boundary particle of the wall; -1: not active
-    std::vector<int> boundary_start;    ///< compressed rows over `active`
+    /// Where the pairs of each `active` begin in boundary_pairs, and their end.
+    std::vector<int> boundary_start;
     std::vector<BoundaryPair> boundary_pairs;
-    std::vector<int> boundary_soil;  ///< soil particles within the boundary particle's own support
+    std::vector<int> boundary_soil;  ///< how many soil particles are within its own support, per `active`
 
     std::vector<double> density;  ///< rho / rho_0 per node, 1 on the full lattice
     /// Inverse moment matrix B^-1 of eq. 9 per node, row-major components.
@@ -72,15 +73,16 @@ struct Neighbours {
     std::vector<double> stiffness_sum;  ///< sum of k over all neighbours, per soil particle
     std::vector<double> surface_x,
         surface_y;  ///< sum of V gradW, points into the soil at a free surface, 1/m
-    /// Share of its wall pairs that counts: 1 for soil in company; 0 for a grain alone, which meets the bed
-    /// line as a point mass.
+    /// Per soil particle, what its wall pairs are multiplied by: 1 for soil in company, 0 for a lone grain,
+    /// which the bed line carries as a point mass.
     std::vector<float> company;
     std::vector<int> nearest_boundary;  ///< wall index, -1: no wall within the support; per soil particle
 
-    /// Per slice of soil rows, given: 1 where all sleep and nothing is to be solved; empty: nothing sleeps.
+    /// Given before the search, per slice: 1 where all its rows sleep and nothing is solved; empty: nothing
+    /// sleeps.
     std::vector<char> resting;
 
-    RowChunks chunks;  ///< of `blocks`, shared out among the threads of the search
+    RowChunks chunks;  ///< of `blocks`, given to the threads of the search
 
     [[nodiscard]] bool rests(int i) const {
         return !resting.empty() && resting[static_cast<std::size_t>(i / lanes)] != 0;
@@ -91,15 +93,15 @@ struct Neighbours {
 
 struct WallRow;
 
-/// Builds Neighbours anew; keeps the memory from call to call.
+/// Builds Neighbours anew in every step. Keeps its memory from call to call.
 class NeighbourSearch {
   public:
     NeighbourSearch(const Discretisation& discretisation, int threads);
 
-    /// Sorts the soil into spatial order. On return all its arrays are permuted alike.
+    /// Sorts the soil into spatial order: all that particles carry moves with them.
     void sort(Soil& soil);
-    /// On return `neighbours` describes the sorted soil and the wall around it. Rows that rest hold their
-    /// wall pairs only, for the bed's sake, and no density.
+    /// On return `neighbours` describes the sorted soil and the wall around it. Rows of sleeping soil have no
+    /// density and only their wall pairs, which the boundary particles need.
     void find(const Soil& soil, const Wall& wall, Neighbours& neighbours);
 
   private:
@@ -114,8 +116,8 @@ class NeighbourSearch {
 
     Discretisation discretisation_;
     int threads_;
-    double lone_kernel_ = 0;     ///< kernel sum of other soil up to which a grain is on its own, 1/m2
-    double company_kernel_ = 0;  ///< from which it is in company
+    double lone_kernel_ = 0;     ///< sum of W over other soil up to which a grain is alone, 1/m2
+    double company_kernel_ = 0;  ///< and from which it is in company
     CellGrid grid_;
     std::vector<int> order_;
     std::array<std::vector<double>, 3> scratch_;

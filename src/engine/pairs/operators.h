@@ -32,11 +32,11 @@ struct VelocityGradient {
     [[nodiscard]] double spin() const { return 0.5 * (yx - xy); }
 };
 
-/// The block's pairs as the kernels take them.
+/// The block's pairs as the compute kernels take them.
 PairRows pair_rows(const PairBlock& block, const Neighbours& n);
 
-/// Calls f(rows, last) for the rows of the block that do not sleep, run by run; `last`: one past the last of
-/// them that is soil.
+/// Calls f(rows, last) for each run of slices of the block that do not sleep. `last`: one past the last of
+/// these rows that is soil, not padding.
 template <class Function>
 void for_each_awake_run(const PairBlock& block, const Neighbours& n, const Function& f) {
     const PairRows all = pair_rows(block, n);
@@ -56,8 +56,8 @@ void for_each_awake_run(const PairBlock& block, const Neighbours& n, const Funct
     }
 }
 
-/// Gives a node array one value in all places but the rows of soil that is awake, which are all written
-/// before they are read.
+/// Gives a node array its size, and one value in all places but the rows of soil that is awake. These are
+/// undefined and must be written before they are read.
 template <class T>
 void set_beyond_awake(const Neighbours& n, std::vector<T>& field, const T& value) {
     if (n.resting.empty()) return set_rest(field, n.soil_count, n.nodes, value);
@@ -75,7 +75,7 @@ void for_each_pair(const PairBlock& block, const Neighbours& n, const Function& 
     }
 }
 
-/// On return `velocity` has every node's velocity as the kernels take it: none but the soil moves.
+/// On return `velocity` has every node's velocity as the compute kernels take it, m/s: 0 for all but soil.
 void soil_velocities(const Neighbours& n, const Soil& soil, std::vector<FloatPair>& velocity);
 
 /// Calls f(i, gradient) with the plain velocity gradient of every soil row i of the block.
@@ -89,10 +89,10 @@ void for_each_velocity_gradient(const PairBlock& block, const Neighbours& n, con
     }
 }
 
-/// What a soil particle and the bed do to each other over a pair, per volume of a particle: N/m3, on the bed.
+/// Force of a soil particle on the bed over one pair, per volume of a particle, N/m3.
 Vec2 pair_traction(const ParticleSystem& particles, const WallPair& pair);
 
-/// Force of the soil on the bed as the pairs carry it, N per metre of width. `volume`: of a particle, m2.
+/// Force of the soil on the bed, summed over the pairs, N per metre of width. `volume`: of a particle, m2.
 Vec2 bed_force(const ParticleSystem& particles, double volume);
 
 /// Strain rate |e| per soil particle for the velocities as they are, 1/s.

@@ -22,7 +22,7 @@ double edge_length(const Polygon& outline, std::size_t i) {
     return (outline[(i + 1) % outline.size()] - outline[i]).norm();
 }
 
-/// Edge that lies on the bed, the longest; the longest of all for a mass in the air.
+/// Longest edge that lies on the bed; for a mass in the air, the longest of all.
 std::size_t base_edge(const Mass& mass) {
     const BedLine bed(mass.bed);
     const double tolerance = 1e-6 * std::sqrt(mass.area);
@@ -106,7 +106,8 @@ Packing lattice_inside(const Polygon& outline, const Axes& axes, double spacing)
     return packing;
 }
 
-/// Lattice whose number of points inside comes nearest to area / spacing^2, by small changes of its spacing.
+/// Of lattices with slightly different spacings, the one whose number of points inside is nearest to area /
+/// spacing^2.
 Packing fitted_lattice(const Mass& mass, const Axes& axes, double spacing) {
     const double wanted = mass.area / (spacing * spacing);
     Packing best;
@@ -128,8 +129,7 @@ Packing fitted_lattice(const Mass& mass, const Axes& axes, double spacing) {
     return best;
 }
 
-/// Moves particles down the gradient of their crowding until nothing moves by more than a hundredth of a
-/// spacing.
+/// Moves particles from where it is crowded to where it is not, until none moves by more than 0.002 spacings.
 void settle(Packing& packing, const Polygon& outline, double smoothing_ratio) {
     const Discretisation d = make_discretisation(packing.spacing, smoothing_ratio, 1.0);
     const Wall shell = make_wall(BedLine(outline, true), d);
@@ -156,7 +156,8 @@ void settle(Packing& packing, const Polygon& outline, double smoothing_ratio) {
     for (int i = 0; i < soil.count; ++i) packing.points[i] = {soil.x[i], soil.y[i]};
 }
 
-/// The same on every machine, which the distributions of the standard library are not.
+/// A number in [0, 1). The same on every machine, which those of the standard library's distributions are
+/// not.
 double uniform_in_unit(std::mt19937_64& generator) {
     return static_cast<double>(generator() >> 11U) * 0x1p-53;
 }

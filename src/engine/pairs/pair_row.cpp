@@ -73,8 +73,8 @@ void find_near(const Wall& wall, double x, double y, float support2, NearList& n
                                             near.column.data(), near.dx.data(), near.dy.data());
 }
 
-/// One past the last of the particles from `first` on that stand in the column of the first; they are in the
-/// order of the grid. The cells that they stand in.
+/// Returns one past the last of the particles from `first` on that stand in the same column of cells as the
+/// first; they are in the order of the grid. On return `cells` are those that they stand in.
 int end_of_column(const CellGrid& grid, const Soil& soil, int first, int last, CellGrid::Window& cells) {
     const long column = grid.column(soil.x[first]);
     int end = first + 1;

@@ -13,12 +13,12 @@
 
 namespace runout {
 
-/// Soil cells along one kernel support: smaller cells leave fewer candidates that are too far.
+/// Soil cells along one kernel support. The smaller the cells, the fewer candidates are too far.
 constexpr int cells_per_support = 2;
 
-/// Particles within the support of a point, in the order they were met. Separations in single precision,
-/// taken from positions in double: what one particle sees of a pair is the exact negative of what the other
-/// sees.
+/// Particles within the support of a point, in the order in which they were found. Separations are in single
+/// precision but taken from positions in double precision, so that the two particles of a pair have exactly
+/// opposite ones.
 struct NearList {
     int count = 0;
     std::vector<std::int32_t> column;

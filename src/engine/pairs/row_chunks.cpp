@@ -10,7 +10,8 @@ namespace runout {
 namespace {
 
 constexpr int least_blocks_of_chunk = 4;
-constexpr long pairs_of_boundary_pair = 3;  // in time: they are worked on one by one, in half of the passes
+// What one costs: they are done one by one, but in half of the passes only.
+constexpr long pairs_of_boundary_pair = 3;
 
 int block_of(int row) {
     return row / rows_per_block;
@@ -70,7 +71,7 @@ void RowCutter::find_work(const Neighbours& n) {
     std::partial_sum(work_.begin(), work_.end(), work_.begin());
 }
 
-/// An even number, so that two threads have the same work.
+/// How many chunks there may be at most. An even number, so that two threads have the same work.
 int RowCutter::most_chunks() const {
     int length = least_blocks_of_chunk;
     const int blocks = static_cast<int>(reach_.size());
@@ -79,7 +80,7 @@ int RowCutter::most_chunks() const {
     return count < 2 ? std::min(blocks, 2) : count - count % 2;
 }
 
-/// Into `count` chunks of the same work, as far as blocks allow, none empty.
+/// Cuts the blocks into `count` chunks, none empty, with as equal work as whole blocks allow.
 void RowCutter::cut_blocks(int count) {
     const int blocks = static_cast<int>(reach_.size());
     make_room(start_, blocks + 1);

@@ -7,29 +7,29 @@ namespace runout {
 struct Neighbours;
 struct Wall;
 
-/// A run of blocks of pair rows and the boundary particles beside them.
+/// Some blocks of pair rows that follow each other, and the boundary particles beside them.
 struct RowChunk {
     int first_block = 0, last_block = 0;        ///< blocks [first_block, last_block)
     int first_boundary = 0, last_boundary = 0;  ///< of RowChunks::boundary
 };
 
-/// Blocks of pair rows cut into consecutive chunks so that all that a pair joins, be it soil that does not
-/// sleep or wall, is of one chunk or of two that follow each other. The chunks do not depend on the number of
-/// threads. Each thread has its share of them, the same in every pass: what one core has written is far from
-/// the others.
+/// The blocks of pair rows, cut into chunks. The two ends of a pair, soil that does not sleep or wall, are in
+/// the same chunk or in two that follow each other. The chunks do not depend on the number of threads. Each
+/// thread has the same chunks in every pass, since a core reads what it wrote itself much faster than what
+/// another wrote.
 struct RowChunks {
     std::vector<RowChunk> list;
     std::vector<int> boundary;     ///< active boundary particles, chunk by chunk
-    std::vector<int> share_start;  ///< chunks of thread t: [share_start[t], share_start[t+1]), never none
+    std::vector<int> share_start;  ///< chunks of thread t: [share_start[t], share_start[t+1]), at least one
 
     [[nodiscard]] int count() const { return static_cast<int>(list.size()); }
     [[nodiscard]] int shares() const { return static_cast<int>(share_start.size()) - 1; }
 };
 
-/// Cuts the rows into chunks; keeps the memory from call to call.
+/// Cuts the rows into chunks. Keeps its memory from call to call.
 class RowCutter {
   public:
-    /// On return `n` has its chunks, of about the same number of pairs each, shared out among `threads`
+    /// On return `n` has its chunks, with about the same number of pairs in each, given to at most `threads`
     /// threads.
     void cut(const Wall& wall, int threads, Neighbours& n);
 
@@ -43,7 +43,7 @@ class RowCutter {
     void list_chunks(const Neighbours& n, RowChunks& chunks);
 
     std::vector<int> beside_;    ///< per active boundary particle: the block in the middle of its soil
-    std::vector<int> reach_;     ///< per block: the last that is to be in its chunk or the next
+    std::vector<int> reach_;     ///< per block: the last block that must be in its chunk or the next
     std::vector<long> work_;     ///< pairs of all blocks before this one
     std::vector<int> start_;     ///< first block of each chunk
     std::vector<int> chunk_of_;  ///< per block

@@ -17,7 +17,7 @@ struct RowRange {
     int first = 0, last = 0;
 };
 
-/// Of a chunk, asleep or not.
+/// The rows of soil of a chunk, asleep or not.
 inline RowRange soil_rows(const Neighbours& n, int chunk) {
     const RowChunk& c = n.chunks.list[chunk];
     return {c.first_block * rows_per_block, std::min(c.last_block * rows_per_block, n.soil_count)};
@@ -71,7 +71,7 @@ void for_each_chunk(const RowChunks& chunks, const Function& f) {
     });
 }
 
-/// The terms of the chunks, added in order: the same to the last bit for any number of threads.
+/// Adds the terms of the chunks in their order. So a sum has the same bits for any number of threads.
 template <class Term>
 Term sum_of(const std::vector<Term>& terms) {
     Term sum{};
@@ -79,7 +79,7 @@ Term sum_of(const std::vector<Term>& terms) {
     return sum;
 }
 
-/// Sum of f(c) over the chunks, see sum_of. `partial` is scratch that keeps its memory from call to call.
+/// Sum of f(c) over the chunks, see sum_of. `partial` is scratch memory, reused from call to call.
 template <class Term, class Function>
 Term sum_chunks(const RowChunks& chunks, std::vector<Term>& partial, const Function& f) {
     fit(partial, chunks.count());
@@ -87,7 +87,7 @@ Term sum_chunks(const RowChunks& chunks, std::vector<Term>& partial, const Funct
     return sum_of(partial);
 }
 
-/// Greatest f(c) over the chunks, none below 0.
+/// Greatest f(c) over the chunks, or 0 if all are less.
 template <class Function>
 double max_chunks(const RowChunks& chunks, std::vector<double>& partial, const Function& f) {
     sum_chunks(chunks, partial, f);
@@ -114,7 +114,7 @@ class TeamSignals {
     void release(int meeting) { released_.count.store(meeting, std::memory_order_release); }
 
   private:
-    // A cache line each.
+    // Each on a cache line of its own, so that threads do not slow each other down.
     struct alignas(64) Gate {  ///< passes done with the first and the last chunk of a share
         std::atomic<int> first{0}, last{0};
     };
@@ -123,7 +123,7 @@ class TeamSignals {
     };
     static void await(const std::atomic<int>& done, int wanted) {
         constexpr int patience =
-            10000;  // turns; where there are fewer cores than threads, the other must run
+            10000;  // turns; then the core is given up, since the other thread may need it
         for (int turn = 0; done.load(std::memory_order_acquire) < wanted; ++turn)
             if (turn > patience) std::this_thread::yield();
     }
@@ -131,7 +131,7 @@ class TeamSignals {
     Counter arrived_, released_;
 };
 
-/// One thread of a team that goes through the chunks together, each thread through its share.
+/// One thread of a team. Together the threads go through all chunks, each through its own share.
 class TeamMember {
   public:
     TeamMember(const RowChunks& chunks, int share, int shares, TeamSignals& signals)
@@ -147,13 +147,15 @@ class TeamMember {
         for (int c = first_; c <= last_; ++c) f(c);
     }
 
-    /// Runs `passes` passes: work(pass, chunk). In a pass, a chunk may read of itself and of the two beside
-    /// it what earlier passes wrote, and write only what is its own and no other reads in the same pass. The
-    /// result is that of one pass after the other.
+    /// Calls work(pass, chunk) for `passes` passes over the chunks of the share. The result is that of one
+    /// whole pass after the other, provided that the work of a chunk
+    /// - reads only what earlier passes wrote, in this chunk and the two beside it;
+    /// - writes only into this chunk, and nothing that another chunk reads in the same pass.
     ///
-    /// Pass p of a chunk follows pass p - 1 of the next, so that the pairs of a chunk are still in the cache
-    /// when the next pass comes to it (temporal blocking). Shares that follow each other begin where they
-    /// touch, or end there: so each has long done what the other waits for.
+    /// The order is another one (temporal blocking): pass p of a chunk comes right after pass p - 1 of the
+    /// next chunk, so that the pairs of a chunk are still in the cache. Of two shares that touch, both begin
+    /// or both end at the place where they touch. So one rarely waits for what the other has still to do
+    /// there.
     template <class Work>
     void for_each_pass(int passes, const Work& work) {
         const bool falls = share_ % 2 == 0 && shares_ > 1;
@@ -169,7 +171,7 @@ class TeamMember {
         passes_done_ += passes;
     }
 
-    /// All meet; one does `alone` while the others wait.
+    /// All threads of the team meet here. One calls alone() while the others wait.
     template <class Function>
     void synchronise(const Function& alone) {
         ++meetings_;
@@ -199,7 +201,8 @@ class TeamMember {
     int meetings_ = 0;
 };
 
-/// Calls work(member) on each thread of a team.
+/// Calls work(member) on each thread of a team; with fewer threads than shares, on one thread for all of
+/// them.
 template <class Work>
 void with_team(const RowChunks& chunks, TeamSignals& signals, const Work& work) {
     const int shares = chunks.shares();
@@ -214,7 +217,7 @@ void with_team(const RowChunks& chunks, TeamSignals& signals, const Work& work) 
         const int thread = omp_get_thread_num();
         if (omp_get_num_threads() == shares)
             do_share(thread, shares);
-        else if (thread == 0)  // there are not as many threads to be had
+        else if (thread == 0)  // fewer threads than asked for: one does all
             do_share(0, 1);
     }
 }

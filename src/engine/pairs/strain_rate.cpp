@@ -47,12 +47,12 @@ VelocityGradient gradient_without_slip(const ParticleSystem& particles, const Pa
     const double b1 = n.correction[1][row];
     const double b2 = n.correction[2][row];
     const double b3 = n.correction[3][row];
-    if (b1 == 0.0 && b2 == 0.0 && b0 == 1.0 && b3 == 1.0) return plain;  // too lonely to have a gradient
+    if (b1 == 0.0 && b2 == 0.0 && b0 == 1.0 && b3 == 1.0) return plain;  // too few neighbours
     const double det = b0 * b3 - b1 * b2;
     const BedLine::Nearest near =
         wall.line.nearest({soil.x[row], soil.y[row]}, wall.segment[boundary], segments_near);
     const Sums soil_sums = sums_of(block, n, soil, row);
-    // n . M of the wall, M being the whole moment matrix less the soil's part.
+    // n . M of the wall, with n the normal. M of the wall is the whole moment matrix less that of the soil.
     const Vec2& normal = near.normal;
     const double wall_x = normal.x() * (b3 / det - soil_sums.xx) + normal.y() * (-b2 / det - soil_sums.yx);
     const double wall_y = normal.x() * (-b1 / det - soil_sums.xy) + normal.y() * (b0 / det - soil_sums.yy);

@@ -6,17 +6,17 @@
 
 namespace runout {
 
-/// Columns of cells that hold something, from the lowest cell to the highest.
+/// The columns of cells that hold something; each goes from its lowest filled cell to its highest.
 class FilledColumns {
   public:
     struct Column {
-        long column = 0;  ///< in cells from the origin of the plane
-        long low = 0;     ///< first and last row, likewise
-        long high = 0;
-        std::size_t base = 0;  ///< its first cell
+        long column = 0;       ///< in cells from the origin of the plane
+        long low = 0;          ///< lowest row, likewise
+        long high = 0;         ///< highest row
+        std::size_t base = 0;  ///< number of its lowest cell
     };
 
-    /// Empties; columns are to come from `first` to `last`.
+    /// Empties it, and makes room for columns from `first` to `last`.
     void open(long first, long last);
     /// A column holds something in the rows from `low` to `high`.
     void add(long column, long low, long high) {
@@ -29,7 +29,7 @@ class FilledColumns {
         c.low = std::min(c.low, low);
         c.high = std::max(c.high, high);
     }
-    /// From left to right. Returns the number of cells.
+    /// Sorts the columns from left to right and numbers their cells. Returns how many cells there are.
     std::size_t order();
 
     [[nodiscard]] const std::vector<Column>& filled() const { return filled_; }
@@ -48,9 +48,9 @@ class FilledColumns {
     std::vector<int> slot_;  ///< per column from first() on: which of `filled`; -1: holds nothing
 };
 
-/// Square cells over points of the plane. Cells of one column are contiguous, so that three neighbouring
-/// cells of a column are one range of particles. There are cells only where a column holds something, from
-/// its lowest point to its highest: a single grain may have flown a thousand times as far as the soil is
+/// Square cells over points of the plane. Particles are sorted by column, so that neighbouring cells of a
+/// column are one range of particles. A column that holds nothing has no cells, and each other has cells from
+/// its lowest point to its highest only: a single grain may have flown a thousand times as far as the soil is
 /// long.
 struct CellGrid {
     double size = 1;  ///< edge of a cell, m
@@ -67,17 +67,18 @@ struct CellGrid {
     [[nodiscard]] long column(double x) const { return floor_of(x / size); }
     [[nodiscard]] long row(double y) const { return floor_of(y / size); }
 
-    /// As std::floor, without a call: the oldest machines have no instruction for it.
+    /// As std::floor, but without a call; the oldest machines have no instruction for that.
     [[nodiscard]] static long floor_of(double value) {
         const auto towards_zero = static_cast<long>(value);
         return towards_zero - (static_cast<double>(towards_zero) > value ? 1 : 0);
     }
 
-    /// Makes cells for the given points, empty, and says in `cell_of` which each belongs to, each thread for
-    /// its share of the points (see even_shares).
+    /// Makes cells for the given points and sets `place_of` and `cell_of`. `shares` gives each thread its
+    /// points (see even_shares); the last of it is their number.
     void cover(const std::vector<double>& x, const std::vector<double>& y, const std::vector<int>& shares);
 
-    /// Stable counting sort: fills `start`, and `order` with particle indices cell by cell.
+    /// The same, and fills `start`, and `order` with the points' indices cell by cell (a stable counting
+    /// sort).
     void sort(const std::vector<double>& x, const std::vector<double>& y, const std::vector<int>& shares,
               std::vector<int>& order);
 
@@ -89,8 +90,8 @@ struct CellGrid {
         return {column(x), column(x), row(y), row(y)};
     }
 
-    /// Calls f(first, last) for the ranges of cells, one a column and both ends included, within `reach`
-    /// cells of a window.
+    /// Calls f(first, last) for each column near a window: the range of its cells within `reach` cells of the
+    /// window, both ends included.
     template <class Function>
     void cells_around(const Window& window, int reach, const Function& f) const {
         const long left = std::max(window.first_column - reach, columns.first());
@@ -106,8 +107,8 @@ struct CellGrid {
         }
     }
 
-    /// Calls f(first, last) for the particle ranges, one a column, that hold everything within `reach` cells
-    /// of a window.
+    /// Calls f(first, last) for each column near a window: the particles [first, last) of its cells within
+    /// `reach` cells of the window.
     template <class Function>
     void around(const Window& window, int reach, const Function& f) const {
         cells_around(window, reach, [&](std::size_t low, std::size_t high) {
@@ -122,7 +123,7 @@ struct CellGrid {
     }
 
   private:
-    /// What the points of one share hold.
+    /// What one thread finds for its share of the points.
     struct Part {
         FilledColumns columns;
         std::size_t low = 0;      ///< lowest cell

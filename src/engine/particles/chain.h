@@ -9,7 +9,7 @@ namespace runout {
 /// The part between two x, its ends included.
 Polyline between(const Polyline& chain, double from, double to);
 
-/// The chain with what lies between the ends of `piece` replaced by it.
+/// The chain, with what lies between the two ends of `piece` replaced by `piece`.
 Polyline replaced(const Polyline& chain, const Polyline& piece);
 
 /// Area within an outline, m2; positive when it goes counter-clockwise.

@@ -18,21 +18,24 @@ class WendlandKernel {
     /// Distance at which the kernel ends, m.
     [[nodiscard]] double support() const { return 2.0 / inverse_h_; }
 
-    /// W, 1/m2.
+    /// W at distance `r`, m; 1/m2.
     [[nodiscard]] double value(double r) const {
         const double q = r * inverse_h_;
         const double c = 1.0 - 0.5 * q;
         return q < 2.0 ? value_scale_ * (c * c) * (c * c) * (2.0 * q + 1.0) : 0.0;
     }
 
-    /// (1/r) dW/dr, 1/m4; never positive, finite at r = 0.
+    /// (1/r) dW/dr at distance `r`, m; 1/m4. Never positive, finite at r = 0.
     [[nodiscard]] double slope(double r) const {
         const double c = 1.0 - 0.5 * r * inverse_h_;
         return c > 0.0 ? slope_scale_ * c * c * c : 0.0;
     }
 
+    /// 1/h, 1/m.
     [[nodiscard]] double inverse_smoothing_length() const { return inverse_h_; }
+    /// 7/(4 pi h^2), 1/m2.
     [[nodiscard]] double value_scale() const { return value_scale_; }
+    /// -35/(4 pi h^4), 1/m4.
     [[nodiscard]] double slope_scale() const { return slope_scale_; }
 
   private:
@@ -44,7 +47,8 @@ class WendlandKernel {
 /// Density ratio below which a particle belongs to the free surface (the paper's 0.97).
 constexpr double surface_density = 0.97;
 
-/// Density ratio below which a particle flies alone: it does not load, pull at or pace the others.
+/// Density ratio below which a particle flies alone. It does not load the others or pull at them, and does
+/// not set their time step.
 constexpr double body_density = 0.6;
 
 /// Numbers that every operator needs, the same for the whole run.
@@ -53,20 +57,25 @@ struct Discretisation {
     double smoothing_length = 0;   ///< h, m
     double density = 0;            ///< rho_0, kg/m3
     double lattice_sum = 0;        ///< sum of W over the full lattice, 1/m2: density ratio 1 by definition
-    double lattice_stiffness = 0;  ///< sum of k over the full lattice (see `stiffness`)
+    double lattice_stiffness = 0;  ///< sum of k over the full lattice, m/kg (see `stiffness`)
 
+    /// Of a particle, m3 per metre of width.
     [[nodiscard]] double volume() const { return spacing * spacing; }
+    /// Of a particle, kg per metre of width.
     [[nodiscard]] double mass() const { return density * volume(); }
 
-    /// k_ij of the symmetric pressure equation (eq. 5 with rho = rho_0): -(2 m / rho_0^2) x.gradW / (r^2 +
-    /// eta^2), eta = 0.1 h; `slope` is the kernel's at distance r.
+    /// k_ij of the symmetric pressure equation (eq. 5 with rho = rho_0):
+    /// -(2 m / rho_0^2) x.gradW / (r^2 + eta^2), eta = 0.1 h. `slope`: WendlandKernel::slope at distance r,
+    /// 1/m4; `r2`: r^2, m2.
     [[nodiscard]] double stiffness(double slope, double r2) const {
         return -(2.0 * volume() / density) * slope * r2 / (r2 + eta2());
     }
+    /// eta^2 of eq. 5, which keeps its denominator from 0, m2.
     [[nodiscard]] double eta2() const { return 0.01 * smoothing_length * smoothing_length; }
 };
 
-/// Discretisation with its lattice sums, for a square lattice of the given spacing.
+/// Discretisation with its sums over a square lattice. `spacing`: dl, m; `smoothing_ratio`: h/dl; `density`:
+/// rho_0, kg/m3. All positive.
 inline Discretisation make_discretisation(double spacing, double smoothing_ratio, double density) {
     Discretisation d{spacing, smoothing_ratio * spacing, density, 0.0, 0.0};
     const WendlandKernel kernel(d.smoothing_length);

@@ -22,20 +22,20 @@ struct Soil {
     [[nodiscard]] int padded() const { return (count + lanes - 1) / lanes * lanes; }
 };
 
-/// All that particles carry with them, by kind of value.
+/// All arrays of a Soil, by kind of value.
 struct SoilFields {
     std::array<std::vector<double>*, 9> numbers;
     std::array<std::vector<int>*, 1> names;
 };
 
-/// What is named here grows, is appended to and is sorted with the soil. A new member must be named, or this
-/// does not compile.
+/// All arrays named here grow and are sorted together. A new member of Soil must be named here, or this does
+/// not compile.
 inline SoilFields fields_of(Soil& soil) {
     auto& [count, x, y, vx, vy, pressure, sxx, sxy, contact_x, contact_y, id] = soil;
     return {{&x, &y, &vx, &vy, &pressure, &sxx, &sxy, &contact_x, &contact_y}, {&id}};
 }
 
-/// Adds particles at rest and free of stress, numbered on.
+/// Adds particles, m, at rest and free of stress. Their numbers follow those before.
 inline void append_soil(Soil& soil, const std::vector<Vec2>& points) {
     const auto old_count = static_cast<std::size_t>(soil.count);
     soil.count += static_cast<int>(points.size());
@@ -53,7 +53,7 @@ inline void append_soil(Soil& soil, const std::vector<Vec2>& points) {
     }
 }
 
-/// Soil at rest and free of stress, numbered in the order given, m.
+/// Soil at these points, m, at rest and free of stress, numbered in their order.
 inline Soil soil_at(const std::vector<Vec2>& points) {
     Soil soil;
     append_soil(soil, points);

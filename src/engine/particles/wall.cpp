@@ -10,7 +10,7 @@ namespace {
 constexpr int wall_layers =
     4;  // one of boundary particles, three of dummies: deeper than the kernel's support
 
-/// Corners of the line at a distance behind the bed, joined by mitres that are cut off at twice the distance.
+/// The bed line moved back by a distance. Corners are mitred, or bevelled where a mitre would be long.
 Polyline offset_line(const BedLine& bed, double distance) {
     const int count = bed.segments();
     Polyline corners;
@@ -51,7 +51,7 @@ Polyline walk(const Polyline& chain, double spacing, bool closed) {
             const Vec2 from = free_start ? chain[i + 1] : chain[i];
             const Vec2 step = (free_start ? -1.0 : 1.0) / ratio * along;
             for (int k = 0; k <= steps; ++k) {
-                if (free_start && k == 0) continue;  // the corner opens the next piece
+                if (free_start && k == 0) continue;  // the corner belongs to the next piece
                 points.push_back(from + k * step);
             }
             if (free_start) std::reverse(points.begin(), points.end());

@@ -8,27 +8,28 @@
 
 namespace runout {
 
-/// Fixed particles that stand for the bed: one layer of boundary particles half a spacing behind the bed
-/// line, so that soil cells and wall cells share the line, and layers of dummies behind, each tied to its
-/// nearest boundary particle whose pressure and stress it copies. (The paper puts the boundary layer on the
-/// line itself; the soil then stands half a spacing off its own outline.)
+/// Fixed particles that stand for the bed. One layer of boundary particles lies half a spacing behind the bed
+/// line, so that soil cells and wall cells meet on the line. (The paper puts it on the line itself; the soil
+/// then stands half a spacing off its own outline.) Behind it are layers of dummies, each of which copies the
+/// pressure and the stress of its nearest boundary particle.
 struct Wall {
     BedLine line{Polyline{}};  ///< the bed that the particles stand for
 
     // Boundary particles first, then dummies, each kind sorted by cell of `grid`.
     std::vector<double> x, y;  ///< m
-    std::vector<int> group;    ///< index of the boundary particle that speaks for this particle
+    std::vector<int> group;    ///< index of the boundary particle whose values this particle has
     int boundary_count = 0;
     std::vector<int> segment;                  ///< of the bed line, for boundary particles
     CellGrid grid;                             ///< cells of one kernel support over all wall particles
     std::vector<int> order;                    ///< wall particles by cell: grid.start indexes this
     std::vector<double> ordered_x, ordered_y;  ///< positions in that order, m
 
-    // What the other wall particles contribute to a boundary particle, constant in time.
-    std::vector<double> kernel_sum;               ///< sum of W, itself included, 1/m2
-    std::vector<double> moment;                   ///< 4 per particle: sum V (x_j - x_b) (x) gradW, row-major
-    std::vector<int> neighbour_start, neighbour;  ///< boundary particles within the support, compressed rows
-    std::vector<double> neighbour_stiffness;      ///< k of each such pair
+    // Sums over the other wall particles around a boundary particle, constant in time.
+    std::vector<double> kernel_sum;  ///< sum of W, itself included, 1/m2
+    std::vector<double> moment;      ///< 4 per particle: sum V (x_j - x_b) (x) gradW, row-major
+    std::vector<int> neighbour_start,
+        neighbour;  ///< boundary particles near b: neighbour[neighbour_start[b]] to before [b + 1]
+    std::vector<double> neighbour_stiffness;  ///< k of each such pair
 
     // State of the boundary particles, carried from step to step.
     std::vector<double> pressure, sxx, sxy;  ///< Pa

@@ -16,7 +16,8 @@ namespace runout {
 namespace {
 
 constexpr double cell_spacings = 4.0;
-constexpr int reach = 2;  // cells that a pair can span: supports merge through boundary particles
+// Cells that a pair can span; more than a support, as dummies count as their boundary particle.
+constexpr int reach = 2;
 constexpr int span = 2 * reach + 1;
 
 struct Cell {
@@ -27,16 +28,16 @@ struct Cell {
 
 constexpr int half = span * span / 2;
 
-/// Couplings of a cell with itself and with those of the 5 x 5 cells around it that come later by column and
-/// row; the matrix is symmetric.
+/// Matrix entries of a cell: with itself, and with those of the 5 x 5 cells around it that come later by
+/// column and row. The others follow, since the matrix is symmetric.
 using Stencil = std::array<double, half + 1>;
 
 }  // namespace
 
-/// What `build` works with, kept from call to call.
+/// What `build` works with. Its memory is kept from call to call.
 struct CoarseLevel::Cells {
     std::vector<std::vector<Cell>> seen;        ///< per chunk
-    std::vector<Cell> list;                     ///< by column and row: the unknowns
+    std::vector<Cell> list;                     ///< the unknowns, sorted by column and row
     std::vector<std::vector<Stencil>> stencil;  ///< per chunk, of the cells from CellSums::low on
     std::vector<Stencil> whole;                 ///< the sum over the chunks
 };
@@ -56,7 +57,7 @@ struct CoarseLevel::Factor {
 
     Factor() {
         cholmod_start(&common);
-        // No BLAS in the factor: the same bits whatever BLAS and threads a machine has.
+        // Without BLAS the factor has the same bits, whatever BLAS and threads a machine has.
         common.supernodal = CHOLMOD_SIMPLICIAL;
         common.print = 0;
     }
@@ -107,7 +108,7 @@ CoarseLevel::CoarseLevel(double spacing)
       factor_(std::make_unique<Factor>()) {}
 CoarseLevel::~CoarseLevel() = default;
 
-/// Of chunks that there are no longer the memory is kept.
+/// Makes room for the sums of so many chunks. Room for more, from an earlier step, is kept.
 void CoarseLevel::make_sums(int chunks) {
     chunks_ = chunks;
     if (sums_.size() >= static_cast<std::size_t>(chunks)) return;
@@ -161,7 +162,7 @@ void CoarseLevel::place_nodes(const FineLevel& fine) {
     };
     for_each_chunk(n.chunks, [&](int chunk) {
         std::vector<Cell>& seen = cells.seen[chunk];
-        seen.clear();  // nodes in spatial order: the next is often in the same cell
+        seen.clear();  // nodes are in spatial order, so the next is often in the same cell
         for_each_node(n, chunk, [&](int i) {
             if (!fine.free[i]) return;
             const Cell cell = cell_of(i);
@@ -201,7 +202,7 @@ void CoarseLevel::find_range(const Neighbours& n, int chunk) {
     fit(sums_[chunk].sum, high < 0 ? 0 : high - low + 1);
 }
 
-/// The share of P^T A P that comes of the rows of a chunk.
+/// What the rows of a chunk add to the coarse matrix P^T A P.
 void CoarseLevel::assemble(const FineLevel& fine, int chunk) {
     const Neighbours& n = fine.particles.neighbours;
     const Wall& wall = fine.particles.wall;
@@ -236,7 +237,7 @@ void CoarseLevel::assemble(const FineLevel& fine, int chunk) {
     });
 }
 
-/// The matrix from what the chunks give.
+/// The coarse matrix: the sum of what the chunks add.
 void CoarseLevel::collect() {
     const std::vector<Cell>& list = cells_->list;
     std::vector<Stencil>& whole = cells_->whole;

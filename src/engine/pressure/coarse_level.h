@@ -8,8 +8,8 @@
 
 namespace runout {
 
-/// Sums of a field over the coarse cells that the nodes of a chunk are in. Those are near each other, so that
-/// the cells are few.
+/// Sums of a field over coarse cells, for the nodes of one chunk. These are near each other, so that the
+/// cells are few.
 struct CellSums {
     int low = 0;              ///< the lowest cell
     std::vector<double> sum;  ///< per cell from `low` on
@@ -17,23 +17,23 @@ struct CellSums {
     void clear() { std::fill(sum.begin(), sum.end(), 0.0); }
 };
 
-/// What the coarse level adds to a residual's correction.
+/// The coarse level's correction for a residual r.
 struct CoarseCorrection {
     const double* value = nullptr;  ///< one per cell, valid until the next call
-    double product = 0;             ///< with the residual: r . P A_c^-1 P^T r
+    double product = 0;             ///< r . P A_c^-1 P^T r
 };
 
-/// What the fine level gives to make a coarse one of: the matrix diag(diagonal) - k over the nodes with
-/// free != 0.
+/// The fine level, of which a coarse one is made: the matrix diag(diagonal) - k over the nodes with free !=
+/// 0.
 struct FineLevel {
     const ParticleSystem& particles;
     const std::vector<double>& diagonal;
     const std::vector<char>& free;
 };
 
-/// Coarse level of the pressure preconditioner: one unknown per square cell of four spacings, piecewise
-/// constant, factorised by CHOLMOD. A factor of some steps ago still preconditions well; the particles carry
-/// the number of their cell with them until the next `build`.
+/// Coarse level of the pressure preconditioner. It has one unknown per square cell of four spacings, on which
+/// the correction is constant, and is factorised by CHOLMOD. A factor of some steps ago still preconditions
+/// well. So it is used on, and until the next `build` each particle keeps the cell that it was in.
 class CoarseLevel {
   public:
     explicit CoarseLevel(double spacing);
@@ -41,20 +41,20 @@ class CoarseLevel {
     CoarseLevel(const CoarseLevel&) = delete;
     CoarseLevel& operator=(const CoarseLevel&) = delete;
 
-    /// The nodes go on with the cells and the factor of the last `build`.
+    /// For a new step: the cells and the factor of the last `build` are used on.
     void carry_on(const FineLevel& fine);
     /// Makes new cells and factorises P^T A P.
     void build(const FineLevel& fine);
-    /// There is nothing to go on with.
+    /// Nothing has been built yet, or the wall has changed since: carry_on is not possible.
     [[nodiscard]] bool empty() const { return wall_cell_.empty(); }
-    /// The wall is another one from now on.
+    /// The wall has changed; the next step must `build`.
     void forget_wall() { wall_cell_.clear(); }
 
     /// Each node's cell, -1: none.
     [[nodiscard]] const std::vector<int>& cell() const { return cell_; }
-    /// The place for the sums P^T r of a chunk.
+    /// Where the sums P^T r of a chunk are to be put before solve().
     [[nodiscard]] CellSums& sums(int chunk) { return sums_[chunk]; }
-    /// A_c^-1 P^T r.
+    /// A_c^-1 P^T r of the sums.
     CoarseCorrection solve();
 
   private:

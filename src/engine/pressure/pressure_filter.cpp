@@ -30,7 +30,7 @@ void PressureFilter::apply(const Neighbours& n, const Soil& soil, std::vector<do
         for_each_pair(block, n, [&](int i, int j, int k) {
             if (j >= n.soil_count) return;
             const Vec2 apart{soil.x[j] - soil.x[i], soil.y[j] - soil.y[i]};
-            // The pairs of soil that sleeps are not known, nor is its gradient.
+            // The pairs of sleeping soil are not found, so that it has no gradient.
             const Vec2 mean = n.rests(j) ? gradient_[i] : Vec2(0.5 * (gradient_[i] + gradient_[j]));
             change_[i] +=
                 static_cast<double>(block.stiffness[k]) * (pressure[j] - pressure[i] - mean.dot(apart));

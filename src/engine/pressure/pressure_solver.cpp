@@ -10,7 +10,7 @@ namespace runout {
 namespace {
 
 constexpr int max_iterations = 1000;
-constexpr double coarse_scale = 1.5;  // makes up for the piecewise constant coarse space
+constexpr double coarse_scale = 1.5;  // makes up for a coarse correction that is constant on each cell
 constexpr int steps_per_coarse_build = 15;
 
 }  // namespace
@@ -66,7 +66,7 @@ void PressureSolver::set_up_boundary(const ParticleSystem& particles, int a) {
     diagonal_[node] = sum;
 }
 
-/// Anew where the one at hand is worn.
+/// Builds the coarse level anew where it is old, or where iterations have become many; else uses it on.
 void PressureSolver::set_up_coarse_level(const ParticleSystem& particles) {
     const bool worn = steps_since_build_ >= steps_per_coarse_build ||
                       last_iterations_ > iterations_after_build_ + iterations_after_build_ / 2 + 3;
@@ -144,7 +144,7 @@ double PressureSolver::boundary_divergence(const Neighbours& n, int a) const {
     return divergence;
 }
 
-/// out = A x in the rows of a chunk. Returns their share of x . A x.
+/// out = A x in the rows of a chunk. Returns what they add to x . A x.
 double PressureSolver::multiply(const ParticleSystem& particles, int chunk, const std::vector<double>& x,
                                 std::vector<double>& out) const {
     const Neighbours& n = particles.neighbours;
@@ -175,7 +175,7 @@ double PressureSolver::multiply_boundary_row(const ParticleSystem& particles, in
     return x[node] * out[node];
 }
 
-/// Gives each node of a chunk the residual that `renew(i)` returns, and sums it over the coarse cells.
+/// Gives each node i of a chunk the residual renew(i), and sums the residuals over the coarse cells.
 template <class Function>
 void PressureSolver::renew_residual(const Neighbours& n, int chunk, const Function& renew) {
     const std::vector<int>& cell = coarse_.cell();
@@ -192,8 +192,8 @@ void PressureSolver::renew_residual(const Neighbours& n, int chunk, const Functi
     partial_norms_[chunk] = norms;
 }
 
-/// The next direction in a chunk: z + beta times the last, z = D^-1 r + coarse correction. Soil that sleeps
-/// keeps its 0.
+/// The next direction in a chunk: z + beta times the last, with z = D^-1 r + coarse correction. That of
+/// sleeping soil stays 0.
 void PressureSolver::renew_direction(const Neighbours& n, int chunk, double beta, const double* coarse) {
     const std::vector<int>& cell = coarse_.cell();
     const auto renew = [&](int i) {
@@ -206,7 +206,7 @@ void PressureSolver::renew_direction(const Neighbours& n, int chunk, double beta
     for_each_boundary(n, chunk, [&](int a) { renew(n.first_boundary + a); });
 }
 
-/// What the threads know of the iteration.
+/// State of the conjugate gradients that all threads see.
 struct PressureSolver::Iteration {
     PressureSolve result;
     double norm = 0;    ///< of the right-hand side
@@ -217,8 +217,8 @@ struct PressureSolver::Iteration {
     const double* coarse = nullptr;  ///< correction per coarse cell; null: that is the end
 };
 
-/// Once the residual is known: is it small enough, and if not, what the coarse level makes of it. r.z needs
-/// no pass of its own: it is the sum of what the two levels give.
+/// Called when the residual is known. If it is small enough the iteration ends; else the coarse correction is
+/// found. r . z needs no pass of its own, being the sum of what the two levels give.
 void PressureSolver::precondition(Iteration& now) {
     const auto left = sum_of(partial_norms_);
     const double size = std::sqrt(left.squared);
@@ -234,7 +234,7 @@ void PressureSolver::precondition(Iteration& now) {
     now.coarse = coarse.value;
 }
 
-/// Conjugate gradients from the pressure and the residual at hand.
+/// Conjugate gradients, from the pressure and the residual as they are.
 void PressureSolver::iterate(TeamMember& member, const ParticleSystem& particles, Iteration& now) {
     const Neighbours& n = particles.neighbours;
     member.synchronise([&] {
@@ -261,9 +261,9 @@ void PressureSolver::iterate(TeamMember& member, const ParticleSystem& particles
     }
 }
 
-/// Cuts off negative pressure, at zero unless the soil is cohesive; at a free surface always, where it would
-/// draw grains together that do not touch. Sets what soil and wall carry into the next step. Returns the
-/// highest pressure of the soil of the chunk in this one.
+/// Cuts off negative pressure: at zero, or in the body of cohesive soil at the tension that it bears. (Loose
+/// grains bear none: it would draw grains together that do not touch.) Sets what soil and wall carry into the
+/// next step. Returns the highest pressure of this step in the soil of the chunk.
 double PressureSolver::carry_pressure(int chunk, double renewal, ParticleSystem& particles) {
     const Neighbours& n = particles.neighbours;
     Soil& soil = particles.soil;

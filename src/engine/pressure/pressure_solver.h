@@ -12,24 +12,26 @@ namespace runout {
 
 /// How a pressure solve is to be done.
 struct PressureStep {
-    double dt = 0;
-    /// Share of the old pressure that the projection starts from (incremental projection). The Laplacian of
-    /// eq. 5 is not the divergence of the gradient, so a projection from nothing leaves a part of the weight
-    /// uncarried and a heap at rest creeps; a full memory keeps every noise that the gradient does not see,
-    /// and nine tenths still shoot grains of a thin layer up that have fallen on it (docs/stability.md).
+    double dt = 0;  ///< s
+    /// Share of the old pressure that the projection starts from (incremental projection). With too little a
+    /// heap at rest creeps: the Laplacian of eq. 5 is not the divergence of the gradient, so that a
+    /// projection from nothing leaves part of the weight uncarried. With all of it, noise that the gradient
+    /// does not see is kept for ever. With nine tenths, grains that fall on a thin layer are shot up
+    /// (docs/history/stability.md).
     double memory = 0.85;
     bool correct_density = true;  ///< work off density above rho_0
     /// Share of the new pressure in what soil and wall carry into the next step; the rest is what they
-    /// carried. Strength and memory answer a pressure one step late, against it, and without this the
-    /// pressure of soil that moves alternates from step to step, the more the finer it is (docs/engine.md).
+    /// carried before. Strength and memory answer a pressure one step late, and against it. Without this mean
+    /// the pressure of moving soil alternates from step to step, the more the finer the soil is
+    /// (src/engine/README.md).
     double renewal = 0.5;
 };
 
-/// Of a residual r, over some nodes.
+/// Sums over some nodes, of a residual r.
 struct ResidualNorms {
     double squared = 0;  ///< r . r
     double scaled = 0;   ///< r . D^-1 r
-    double whole = 0;    ///< b . b of the right-hand side, where that was at hand
+    double whole = 0;    ///< b . b of the right-hand side b, where it was known
     ResidualNorms& operator+=(const ResidualNorms& other) {
         squared += other.squared;
         scaled += other.scaled;
@@ -48,28 +50,29 @@ struct PressureSolve {
 
 /// Pressure that makes v* divergence-free, eq. 5 in symmetric form on soil and boundary particles:
 ///   sum_j k_ij (q_i - q_j) = -(div(v* - dt grad(m p^n)/rho) - max(0, rho/rho_0 - 1)/T) / dt,  p = m p^n + q
-/// Dummies are eliminated (P^T A P), so the matrix is symmetric positive definite. At the free surface the
-/// missing neighbours are ghosts at p = 0: the diagonal is filled up to the lattice's sum of k
-/// (semi-Dirichlet), which keeps layers of one to three particles incompressible, as the paper's imposed
-/// pressure does not. A boundary particle that soil does not yet surround takes the mean of its neighbours:
-/// the density around it rises as soil arrives or thickens, which is no compression, and resisting it drags
-/// the front. Conjugate gradients with an additive two-level preconditioner. Negative pressure is cut off:
-/// dry soil bears no tension.
+/// - Dummies are eliminated (P^T A P), so that the matrix is symmetric positive definite.
+/// - At the free surface the missing neighbours are ghosts at p = 0: the diagonal is filled up to the
+///   lattice's sum of k (semi-Dirichlet). This keeps layers of one to three particles incompressible; the
+///   paper's imposed pressure does not.
+/// - A boundary particle that soil does not yet surround takes the mean of its neighbours. The density around
+///   it rises as soil arrives or thickens. That is no compression, and resisting it drags the front.
+/// - Negative pressure is cut off: dry soil bears no tension.
+/// It is solved by conjugate gradients with an additive preconditioner of two levels.
 class PressureSolver {
   public:
     /// `length`: scale of the mass, m, for the time in which excess density is worked off.
     PressureSolver(const Discretisation& discretisation, double gravity, double length, double tolerance);
 
-    /// For cohesive soil, which bears a mean tension, Pa, and whose surface is free of traction without being
-    /// free of pressure. The projection starts from the whole old pressure, freed of noise: a share of it
-    /// would go to 0 at the surface, and what it sheds the deviatoric stress would have to carry. Without
-    /// cohesion p = 0 is no traction, since |s| <= p sin(phi).
+    /// For cohesive soil, which bears a mean `tension`, Pa. Its surface is free of traction but not of
+    /// pressure (without cohesion p = 0 is no traction, since |s| <= p sin(phi)). The projection therefore
+    /// starts from the whole old pressure, freed of noise. Starting from a share of it would shed weight at
+    /// the surface, which the deviatoric stress would have to carry.
     void bear_tension(double tension) {
         tension_ = tension;
         filter_.emplace(discretisation_);
     }
 
-    /// The wall is another one from now on.
+    /// The wall has changed.
     void forget_wall() { coarse_.forget_wall(); }
 
     /// `predicted`: velocity v* under gravity and friction. On return soil and wall hold the pressure that
@@ -78,7 +81,8 @@ class PressureSolver {
     PressureSolve solve(ParticleSystem& particles, const NodeVectors& predicted, const PressureStep& step,
                         NodeVectors& gradient);
 
-    /// Pressure per node that makes the velocity divergence-free at the end of the step, for the corrector.
+    /// Pressure per node of this step, Pa: that of the corrector, which makes the velocity free of
+    /// divergence.
     [[nodiscard]] const std::vector<double>& node_pressure() const { return pressure_; }
 
   private:
@@ -107,7 +111,8 @@ class PressureSolver {
     double gravity_;
     double relaxation_time_;  ///< s, least time in which excess density is worked off
     double tolerance_;
-    double negligible_;  ///< residual of a pressure that decays where nothing presses, before it underflows
+    double negligible_;  ///< residual that counts as none: pressure where nothing presses decays until it
+                         ///< underflows
     double tension_ = 0;
     std::optional<PressureFilter> filter_;  ///< of cohesive soil
     TeamSignals signals_;

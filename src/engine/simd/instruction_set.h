@@ -5,7 +5,7 @@
 
 namespace runout {
 
-/// What the pair loops may be computed with. Every one gives the same bits; they differ in speed alone.
+/// Instruction sets for the pair loops. All give the same bits and differ in speed alone.
 enum class InstructionSet { baseline, avx2, avx512 };
 
 /// All of them, the fastest last.
@@ -15,15 +15,15 @@ inline constexpr std::array instruction_sets = {InstructionSet::baseline, Instru
 /// "baseline", "avx2", "avx512"
 std::string to_string(InstructionSet set);
 
-/// Whether processor and operating system have all that it was compiled for.
+/// Whether processor and operating system have all that the pair loops of this set were compiled for.
 bool machine_has(InstructionSet set);
 
-/// The one that is named, or the fastest that the machine has where `name` is empty. Throws InputError:
-/// another name, or one that the machine lacks.
+/// The set of this name, or the fastest that the machine has where `name` is empty. Throws InputError for any
+/// other name, and for a set that the machine lacks.
 InstructionSet instruction_set_named(const std::string& name);
 
-/// The one that this program uses: that of the environment variable RUNOUT_SIMD, if it is set. Throws
-/// InputError as instruction_set_named.
+/// The set that this program uses: the one that the environment variable RUNOUT_SIMD names, else the fastest.
+/// Throws as instruction_set_named.
 InstructionSet instruction_set();
 
 }  // namespace runout

@@ -21,16 +21,17 @@ struct PairArrays {
     const float* stiffness = nullptr;  ///< k_ij of the pressure matrix
 };
 
-/// The pairs of one block: entry k of lane l of slice s stands at offset[s] + 16 k + l.
+/// Pairs of slices that follow each other in a block. Entry k of lane l of slice s stands at offset[s] + 16 k
+/// + l.
 struct PairRows : PairArrays {
     int first_row = 0;
-    int slices = 0;               ///< that hold rows
+    int slices = 0;               ///< how many hold rows
     const int* offset = nullptr;  ///< slices + 1
-    PairArrays next;              ///< of the block that is worked on after this one, if any: for the cache
+    PairArrays next;              ///< of the next block, if any, to be fetched into the cache meanwhile
 };
 
-/// Two numbers of a node that are always wanted together, such as vx and vy or sxx and sxy, in one word:
-/// looking up scattered neighbours is what the pair loops spend their time on.
+/// Two numbers of a node that are always needed together, such as vx and vy or sxx and sxy, in one word. The
+/// pair loops spend their time on loading scattered neighbours, and so load once in place of twice.
 struct alignas(8) FloatPair {
     float x = 0, y = 0;
 };
@@ -59,7 +60,7 @@ struct StressRotation {
     FloatPair* stress = nullptr;          ///< sxx and sxy, Pa
 };
 
-/// Which particles are near a point: those of up to `max_ranges` ranges of a spatial order.
+/// Asks which particles of some ranges are near a point.
 struct NearQuery {
     static constexpr int max_ranges = 3;
     double x = 0, y = 0;  ///< m
@@ -68,8 +69,8 @@ struct NearQuery {
     int last[max_ranges] = {};
 };
 
-/// Which of the given particles are near the rows of a slice that `asking` has a bit for, the row itself left
-/// out.
+/// Asks which of the candidates are near each row of a slice, the row itself left out. Only for rows whose
+/// bit in `asking` is set.
 struct SliceQuery {
     int first_row = 0;  ///< the slice's first
     std::uint32_t asking = 0;
@@ -77,7 +78,7 @@ struct SliceQuery {
     const std::int32_t* candidate = nullptr;
 };
 
-/// What is near the rows of a slice: entry e of lane l stands at 16 e + l.
+/// Answer to a SliceQuery: entry e of lane l stands at 16 e + l.
 struct SliceNear {
     int* count = nullptr;  ///< entries of each lane
     std::int32_t* column = nullptr;
@@ -120,9 +121,10 @@ struct GeometryConstants {
     float eta2 = 0;             ///< m2
 };
 
-/// The sums over pairs that the engine spends its time in. Node arrays hold soil, padding, then active
-/// boundary particles; results are written for every lane of the block's rows. Signs as in the paper:
-/// compression positive. Each row is summed in its own order, so every instruction set gives the same bits.
+/// The compute kernels: the sums over pairs that the engine spends its time in. Node arrays hold soil,
+/// padding, then active boundary particles. Results are written for every lane of the rows. Compression is
+/// positive, as in the paper. Each row is summed in its own order, so that every instruction set gives the
+/// same bits.
 struct PairKernels {
     /// force = sum_j (s_i + s_j) . V gradW, Pa/m: divergence of the deviatoric stress, eq. 3. Plain, not
     /// renormalised gradients: the renormalised form drags thin layers (false friction).
@@ -145,8 +147,8 @@ struct PairKernels {
     /// returns how many. There must be room for all of the ranges and one more.
     int (*select_near)(const double* x, const double* y, const NearQuery& query, float support2,
                        std::int32_t* column, float* dx, float* dy);
-    /// The same for the rows of a slice that ask, each in the order of the candidates; counts of the others
-    /// stay. There must be room for as many entries as candidates, and one more.
+    /// The same for the rows of a slice that ask, each in the order of the candidates. The counts of the
+    /// other rows are left as they are. There must be room for as many entries as candidates, and one more.
     void (*select_near_slice)(const double* x, const double* y, const SliceQuery& query, float support2,
                               const SliceNear& near);
     /// Kernel, gradient and k of each pair of a list.
@@ -155,9 +157,9 @@ struct PairKernels {
     void (*slice_geometry)(const SliceGeometry& slice, const GeometryConstants& constants, SliceSums& sums);
 };
 
-/// Those of instruction_set(). Throws InputError as that does, the first time.
+/// The kernels of instruction_set(). The first call throws InputError where that does.
 const PairKernels& pair_kernels();
-/// Those of one instruction set, which the machine must have.
+/// The kernels of one instruction set, which the machine must have.
 const PairKernels& pair_kernels(InstructionSet set);
 
 // One table an instruction set, each compiled in a file of its own.

@@ -1,8 +1,8 @@
 #pragma once
 
-// Bodies of the pair kernels, for the files that compile them for one instruction set each. Nothing but plain
-// arrays and arithmetic may be used here: whatever function of a header is compiled with wider instructions
-// could be the copy that the linker keeps for the whole program.
+// Bodies of the pair kernels. Each file that includes this compiles them for one instruction set. Only plain
+// arrays and arithmetic may be used here. A function of another header would be compiled with wider
+// instructions too, and the linker might keep that copy for the whole program.
 
 #include "engine/simd/pair_kernels.h"
 #include "engine/simd/select_near_impl.h"
@@ -23,11 +23,11 @@ inline float second_of(std::uint64_t word) {
     return __builtin_bit_cast(float, static_cast<std::uint32_t>(word >> 32));
 }
 
-/// Asks for entry e of an array that the next block has. Its arrays are too short for the machine to see by
-/// itself where they are, and memory answers later than the sums take.
+/// Fetches entry e of an array of the next block into the cache. The arrays of a block are too short for the
+/// processor to foresee the next one, and memory takes longer to answer than the sums take.
 template <class T>
 inline void prefetch(const T* next, int e) {
-    // As a number: the block may have fewer entries than this one, and a prefetch of nothing does no harm.
+    // Computed as a number, since the next block may have fewer entries. A prefetch beyond them does no harm.
     const auto address = reinterpret_cast<std::uintptr_t>(next) + static_cast<unsigned>(e) * sizeof(T);
     __builtin_prefetch(reinterpret_cast<const void*>(address), 0, 2);
 }
@@ -137,7 +137,7 @@ void update_stress(const PairRows& p, const StressUpdate& update) {
     FloatPair* __restrict__ ahead = update.ahead + p.first_row;
     const float half_step = 0.5F * update.step;
     const float momentum = update.momentum;
-    // Asked for: by its own estimate the compiler leaves this loop scalar.
+    // Without this pragma the compiler leaves the loop scalar.
 #pragma omp simd
     for (int k = 0; k < p.slices * lanes; ++k) {
         const float xx = g.xx[k] * b0[k] + g.xy[k] * b2[k];
@@ -196,7 +196,7 @@ void pressure_product(const PairRows& p, const double* diagonal, const double* x
     }
 }
 
-/// Gradient, k and kernel of one pair. Nothing comes of a pair one support apart.
+/// Gradient, k and W of one pair. All are 0 for a pair one support apart.
 struct PairValues {
     float gx, gy, stiffness, kernel;
 };

@@ -2,7 +2,7 @@
 
 // Which particles are near the rows of a slice, for machines with AVX-512; a part of select_near_impl.h. Each
 // row looks at sixteen candidates at once and keeps those that are near by one instruction, without a branch
-// that the processor could foretell wrong; the rows are then brought lane beside lane.
+// that could be predicted wrongly. The rows are then transposed, so that they lie lane beside lane.
 
 #include <immintrin.h>
 
@@ -11,8 +11,9 @@
 namespace runout::kernels {
 namespace {
 
-constexpr int group = 16;             // candidates that a row looks at at a time
-constexpr int most_near = 4 * group;  // that a row may have here; soil twice too dense has less
+constexpr int group = 16;  // candidates that a row looks at at a time
+// Neighbours of a row that fit here; even soil of twice the density has fewer.
+constexpr int most_near = 4 * group;
 
 /// What is near one row.
 struct NearRow {
@@ -44,7 +45,7 @@ inline Candidates load_candidates(const double* x, const double* y, const std::i
     return c;
 }
 
-/// x_row - x of each candidate, rounded after it has been taken.
+/// x_row - x of each candidate, in double precision, then rounded to single.
 inline __m512 separation(double row, const __m512d* candidates) {
     const __m512d from = _mm512_set1_pd(row);
     const __m256 low = _mm512_maskz_cvtpd_ps(0xFF, _mm512_sub_pd(from, candidates[0]));

@@ -13,7 +13,7 @@
 namespace runout::kernels {
 namespace {
 
-/// Branchless: every candidate is written, and kept by moving on.
+/// Without branches: every candidate is written, and the next one overwrites it unless it is near.
 int select_near(const double* x, const double* y, const NearQuery& query, float support2,
                 std::int32_t* column, float* dx, float* dy) {
     int count = 0;
@@ -62,8 +62,8 @@ inline std::uint32_t near_rows(const double* row_x, const double* row_y, double 
 
 constexpr int candidate_group = 4;  // bits of as many candidates fit into a word
 
-/// A group of candidates at a time: the processor foretells the end of one long loop over near rows better
-/// than of four short ones.
+/// Takes a group of candidates at a time: one long loop over near rows has fewer wrongly predicted branches
+/// than four short ones.
 void select_near_slice(const double* x, const double* y, const SliceQuery& query, float support2,
                        const SliceNear& near) {
 #if defined(__AVX512DQ__) && defined(__AVX512VL__)

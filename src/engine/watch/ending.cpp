@@ -8,7 +8,7 @@
 namespace runout {
 namespace {
 
-constexpr double standing_spacings = 2.0;  // a lattice that finds its rest moves by up to one
+constexpr double standing_spacings = 2.0;  // particles that only settle from their lattice move by up to one
 
 double greatest_displacement(const Soil& soil, const std::vector<Vec2>& starts) {
     double moved2 = 0.0;

@@ -17,15 +17,16 @@ class Ending {
     /// `length`: sqrt(S), m; `time_limit`: s since soil was last let go.
     Ending(double gravity, double length, double spacing, double time_limit);
 
-    /// Soil as it is now, not yet moving; also after more has been added.
+    /// To be called at the start and after soil has been added: the soil as it is now, not yet moving.
     void start(const Soil& soil, double time);
-    /// Ends the run where a law of physics is broken or soil leaves the section.
+    /// Ends the run where an invariant is violated, the pressure equation is not solved, or soil leaves the
+    /// section.
     void judge(const SoilSurvey& soil, const InvariantWatch& invariants, const BedLine& bed, double time);
-    /// Whether the soil has come to rest, the run not having ended.
+    /// Whether the soil has come to rest; false if the run has ended.
     [[nodiscard]] bool at_rest(const Soil& soil, double time);
-    /// Ends the run at rest: as one that settled, or, where no particle has got far, as one that stood.
+    /// Ends the run at rest: as `stable` where no particle has moved by two spacings, else as `settled`.
     void end_at_rest(const Soil& soil, const std::vector<Vec2>& starts);
-    /// Ends the run if it has lasted as long as it may.
+    /// Ends the run if its time limit is reached.
     void judge_time(double time);
 
     [[nodiscard]] RunStatus status() const { return status_; }

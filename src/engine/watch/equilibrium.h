@@ -6,11 +6,12 @@
 namespace runout {
 
 /// Tells when the state of stress at release is found: when the acceleration of the soil no longer changes
-/// from round to round, or when patience ends.
+/// from round to round, or after 200 rounds.
 class Equilibrium {
   public:
     static constexpr int rounds = 200;
-    static constexpr double least_change = 5e-4;  ///< between two rounds, in g, root mean square
+    /// Of the acceleration from round to round, root mean square, in g.
+    static constexpr double least_change = 5e-4;
 
     Equilibrium(std::size_t particles, double gravity)
         : gravity_(gravity), ax_(particles, 0.0), ay_(particles, 0.0) {}
@@ -31,7 +32,7 @@ class Equilibrium {
 
   private:
     double gravity_;
-    std::vector<double> ax_, ay_;  ///< as known so far
+    std::vector<double> ax_, ay_;  ///< accelerations of the round before, m/s2
     double change2_ = 0;
     int round_ = 0;
     bool reached_ = false;

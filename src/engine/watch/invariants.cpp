@@ -30,11 +30,11 @@ constexpr std::array<Rule, static_cast<int>(Invariant::count)> rules = {{
 }};
 
 constexpr double tolerated_misses = 20;     // pressure solves in a row that missed their tolerance
-constexpr double unhurried_nearness = 0.5;  // of a limit, up to which steps are as long as ever
+constexpr double unhurried_nearness = 0.5;  // of a limit; up to here steps are not shortened
 constexpr double guard_grace = 10.0;        // particle-steps driven in before their share is judged
 
-// Of the Courant step at the speed of free fall: far below what any sound run takes, and still an end in
-// sight.
+// Of the Courant step at the speed of free fall. Far shorter than any sound run takes; a run whose steps
+// shrink without end is ended here.
 constexpr double step_floor = 1e-3;
 
 const Rule& rule(Invariant invariant) {
@@ -150,7 +150,8 @@ void InvariantWatch::observe(const SoilSurvey& soil, const StepFacts& step) {
     note(Invariant::penetration, step.greatest_depth / scales_.spacing, step.depth_x);
     note_energy(soil.energy / count, x, step);
     note(Invariant::density, soil.density - 1.0, soil.densest_x);
-    // A source about as thin as a spacing starts crowded, which is no loss; from then on it may only loosen.
+    // A mass about as thin as a spacing starts crowded, which is no loss of area. So crowding counts from the
+    // least so far.
     const double crowding = soil.excess / count;
     least_crowding_ = steps_ == 1 ? crowding : std::min(least_crowding_, crowding);
     note(Invariant::volume, crowding - least_crowding_, soil.densest_x);

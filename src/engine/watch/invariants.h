@@ -10,14 +10,14 @@
 
 namespace runout {
 
-/// What the scene makes natural units of.
+/// Of what the units of the readings are made.
 struct InvariantScales {
     double gravity = 0;  ///< m/s2
     double height = 0;   ///< H, m
     double spacing = 0;  ///< dl, m
     double density = 0;  ///< rho_0, kg/m3
     double courant = 0;  ///< of the step, eq. 6
-    double tension = 0;  ///< that the soil bears, Pa
+    double tension = 0;  ///< mean tension that the soil bears, Pa
 };
 
 /// What a step did, beyond the state it left.
@@ -32,39 +32,40 @@ struct StepFacts {
     double depth_x = 0;         ///< where
 };
 
-/// What a step left of some of the soil.
+/// Sums and extremes over some of the soil after a step. Those of several parts are added up.
 struct SoilSurvey {
     long count = 0;
-    double energy = 0;  ///< kinetic and potential, sum over the particles, J/kg
-    double excess = 0;  ///< sum of the density above rho_0, in rho_0
-    long long numbers = 0;
-    double speed2 = 0, fastest_x = 0;  ///< of the fastest, m2/s2; what is no number stays
+    double energy = 0;                 ///< kinetic and potential, sum over the particles, J/kg
+    double excess = 0;                 ///< sum of the density above rho_0, in rho_0
+    long long numbers = 0;             ///< sum of the particles' numbers
+    double speed2 = 0, fastest_x = 0;  ///< of the fastest, m2/s2; NaN stays
     double density = 0, densest_x = 0;
-    double tension = 0, tension_x = 0;  ///< the greatest, Pa; what is no number stays
+    double tension = 0, tension_x = 0;  ///< the greatest, Pa; NaN stays
     double first_x = std::numeric_limits<double>::infinity();
     double last_x = -std::numeric_limits<double>::infinity();
 
     SoilSurvey& operator+=(const SoilSurvey& next);
 };
 
-/// Of soil [first, last). `density`: rho / rho_0 per particle.
+/// That of the soil [first, last). `density`: rho / rho_0 per particle.
 SoilSurvey survey(const Soil& soil, const std::vector<double>& density, double gravity, int first, int last);
 
-/// Holds every step against the invariants.
+/// Checks the invariants after every step.
 class InvariantWatch {
   public:
     explicit InvariantWatch(const InvariantScales& scales);
 
-    /// Soil was added at rest, the source may stand higher now; energy is reckoned anew from here.
+    /// Soil was added at rest. `height`: H of the units from now on, m. Energy is reckoned anew from here.
     void restart(double height);
-    /// `soil`: of all soil.
+    /// To be called after each step. `soil`: of all soil.
     void observe(const SoilSurvey& soil, const StepFacts& step);
 
     /// "energy_rise at t = 0.31 s, x = 1.2 m: 0.034, at most 0.02" for the first one violated, if any.
     [[nodiscard]] const std::optional<std::string>& violation() const { return violation_; }
     [[nodiscard]] const InvariantReadings& readings() const { return readings_; }
-    /// Share of the usual step to take from here on: below 1 once soil has been driven into the bed, or
-    /// pressed together, half as much as is allowed, and a quarter at the limit. Both come of long steps.
+    /// What the next time steps are to be multiplied by. 1 as long as the readings of wall_guard and volume
+    /// are below half of their limits, then less, and a quarter at the limit: long steps drive soil into the
+    /// bed and press it together.
     [[nodiscard]] double pace() const;
 
   private:

@@ -5,9 +5,10 @@
 
 namespace runout {
 
-/// Parts of a step whose time is taken.
+/// Parts of a step whose time is taken; `count` is how many there are.
 enum class Phase { equilibrium, neighbours, friction, pressure, motion, judgement, count };
 
+/// "equilibrium", "neighbours", ...; empty for `count`.
 constexpr const char* to_string(Phase phase) {
     switch (phase) {
         case Phase::equilibrium:
@@ -28,7 +29,7 @@ constexpr const char* to_string(Phase phase) {
     return "";
 }
 
-/// Wall seconds per phase.
+/// Seconds at the clock that each phase of the steps took. Not for several threads at a time.
 class PhaseClock {
   public:
     /// Ends the phase at hand, if any, and starts the next.
@@ -38,7 +39,9 @@ class PhaseClock {
         current_ = phase;
         since_ = now;
     }
+    /// Ends the phase at hand.
     void leave() { enter(Phase::count); }
+    /// In all the phases of this name that have ended, s.
     [[nodiscard]] double seconds(Phase phase) const { return seconds_[static_cast<int>(phase)]; }
 
   private:
@@ -51,9 +54,10 @@ class PhaseClock {
     std::chrono::steady_clock::time_point since_;
 };
 
-/// Adds the wall seconds of its life to a sum.
+/// Adds the seconds of its life at the clock to a sum.
 class Stopwatch {
   public:
+    /// `seconds`: the sum, s, which must live longer.
     explicit Stopwatch(double& seconds) : seconds_(seconds), start_(std::chrono::steady_clock::now()) {}
     ~Stopwatch() {
         seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();

@@ -9,7 +9,7 @@ namespace {
 constexpr double rest_energy = 1e-5;  // energy of the mean motion at rest, share of g sqrt(S)
 constexpr double rest_window = 0.5;   // between two looks, in sqrt(sqrt(S)/g)
 
-/// What passes for rest: within `way` spacings of its place for so many windows.
+/// What counts as rest: every particle within `way` spacings of its place for so many windows.
 struct Rule {
     double way;
     double windows;

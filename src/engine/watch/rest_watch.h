@@ -9,24 +9,25 @@
 namespace runout {
 
 /// Judges whether the mass has come to rest: for some time no particle has got away from its place, and the
-/// mean motion since then has next to no energy. A single grain that is still on its way counts, and so does
-/// a pile that is about to give way, which at first moves by less than grains that tremble. Trembling, which
-/// leads nowhere, does not count: lone grains may rock to and fro for ever, by as much as from one particle
-/// of a bed of next to no friction to the next. The further particles get from their places, the longer they
-/// are watched.
+/// mean motion since then has next to no energy.
+/// - What counts as motion: a single grain that is still on its way, and a pile that is about to give way.
+///   The pile at first moves by less than grains that tremble.
+/// - What does not: trembling, which leads nowhere. On a bed of next to no friction lone grains may rock for
+///   ever from one particle of the bed to the next.
+/// So the further particles get from their places, the longer they are watched.
 class RestWatch {
   public:
     /// `length`: sqrt(S), m; `spacing`: of the particles, m.
     RestWatch(double gravity, double length, double spacing);
 
-    /// Soil as it is now, not yet moving; also after more has been added.
+    /// To be called at the start and after soil has been added: the soil as it is now, not yet moving.
     void start(const Soil& soil, double time);
     void observe(const Soil& soil, double time);
 
     [[nodiscard]] bool at_rest() const { return progress() >= 1.0; }
-    /// Last instant at which the mass was still moving, whatever single grains did, s.
+    /// Last instant at which the mass was still moving, s; single grains do not count.
     [[nodiscard]] double motion_ended() const;
-    /// Share of the time at rest that it takes, 0 while the mass moves.
+    /// How much of the time at rest that it takes has passed: 0 while the mass moves, 1 at rest.
     [[nodiscard]] double progress() const;
 
   private:
@@ -37,8 +38,7 @@ class RestWatch {
 
         void take(const Soil& soil, double now);
     };
-    /// That every particle has kept its place to within `way` since an instant; rest if it lasts for
-    /// `enough`.
+    /// Since when every particle has kept its place to within `way`. It is rest if that lasts for `enough`.
     struct Stay {
         double way = 0;     ///< m
         double enough = 0;  ///< s

@@ -16,8 +16,9 @@ constexpr double waking_motion = 0.025;
 constexpr double quiet_load = 0.2;  // of rho g dl, and a tenth of it of the pressure, in a window
 constexpr double waking_load = 0.5;
 constexpr double load_share = 0.1;
-constexpr double fastest_growth = 1.5;  // of the motion from one window to the next: under way to rest
-constexpr double least_motion = 0.002;  // spacings in a window: none
+// Of the motion from one window to the next; beyond it soil is about to slide.
+constexpr double fastest_growth = 1.5;
+constexpr double least_motion = 0.002;  // spacings in a window; less counts as none
 
 }  // namespace
 
@@ -47,8 +48,8 @@ void SleepWatch::append(const Soil& soil) {
     }
 }
 
-/// Where anything moved by more than `motion` spacings, or its load changed by more than `load`, since the
-/// window opened.
+/// Marks the cells in which a particle has moved by more than `motion` spacings since the window opened, or
+/// its load changed by more than `load`.
 void SleepWatch::find_restless(const Soil& soil, double motion, double load) {
     if (shares_.empty() || shares_.back() != soil.count) shares_ = even_shares(soil.count, threads_);
     grid_.cover(soil.x, soil.y, shares_);
@@ -68,7 +69,7 @@ void SleepWatch::find_restless(const Soil& soil, double motion, double load) {
     }
 }
 
-/// What gets faster is under way.
+/// Marks the cells in which motion grows: that soil is about to slide.
 void SleepWatch::find_growing(const Soil& soil) {
     set_all(growth_, restless_.size(), Growth{});
     for (int i = 0; i < soil.count; ++i) {
@@ -85,7 +86,7 @@ void SleepWatch::find_growing(const Soil& soil) {
     }
 }
 
-/// From each restless cell to its neighbours.
+/// Marks each restless cell and the cells around it as disturbed.
 void SleepWatch::spread(const Soil& soil) {
     set_all(disturbed_, restless_.size(), char{0});
     for (int i = 0; i < soil.count; ++i) {

@@ -10,29 +10,29 @@
 
 namespace runout {
 
-/// Puts soil to sleep that lies still under a load that does not change, far from all that moves, and wakes
-/// it when that ends. What sleeps keeps its place, pressure and stress; friction and pressure are not solved
-/// for it, and to its neighbours it is a rough bed.
+/// Decides which soil sleeps: soil that lies still under a load that does not change, far from all that
+/// moves. What sleeps keeps its place, pressure and stress. Friction and pressure are not solved for it, and
+/// to its neighbours it is a rough bed.
 ///
-/// Motion and load are judged over windows of time. Soil falls asleep after two quiet windows in which
-/// nothing within one to two cells of 3 dl was restless; soil that starts to slide gets faster from window to
-/// window and so is not taken for quiet. It wakes in the step in which anything within the same reach moves
-/// or changes its load; the limits of waking are some times those of falling asleep, so that no soil does
-/// both in turn.
+/// Motion and load are judged over windows of time. Soil falls asleep after two windows in which nothing
+/// within one to two cells of 3 dl was restless. Soil that starts to slide gets faster from window to window,
+/// and so is restless. Soil wakes in the step in which anything within the same reach moves or changes its
+/// load. The limits for waking are higher than those for falling asleep, so that soil does not do both in
+/// turn.
 class SleepWatch {
   public:
     /// `window`: s.
     SleepWatch(const Discretisation& discretisation, double gravity, double window, int threads = 1);
 
-    /// All is awake from here on; also after particles have been added.
+    /// Wakes all soil, and knows all particles from here on.
     void wake_all(const Soil& soil, double time);
-    /// Particles have been added, which are awake.
+    /// Particles have been added. They are awake.
     void append(const Soil& soil);
-    /// Judges the soil as it is now. `density`: rho / rho_0.
+    /// To be called after each step. `density`: rho / rho_0 per particle.
     void observe(const Soil& soil, const std::vector<double>& density, double time);
-    /// On return `resting` is 1 for each slice of the sorted soil whose particles all sleep, and the number
-    /// of these particles is returned; empty and 0 if there are none. Soil that shares a slice with what
-    /// moves moves with it.
+    /// On return `resting` is 1 for each slice of the sorted soil whose particles all sleep; it is empty if
+    /// there is no such slice. Returns how many particles these slices have. Sleeping soil in a slice with
+    /// soil that is awake is treated as awake.
     int find_resting(const Soil& soil, std::vector<char>& resting) const;
     /// rho / rho_0 that a particle fell asleep with.
     [[nodiscard]] double density(int id) const { return mark_[id].density; }
@@ -47,7 +47,7 @@ class SleepWatch {
         int quiet_windows = 0;
         bool asleep = false;
     };
-    /// What went on in a cell, summed over its particles.
+    /// Motion in a cell, summed over its particles.
     struct Growth {
         double moved = 0;   ///< in this window, m
         double before = 0;  ///< in the window before, m

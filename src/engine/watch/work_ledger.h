@@ -4,11 +4,11 @@ namespace runout {
 
 /// Exact counts of what a run did so far.
 struct WorkCounts {
-    long steps = 0;
-    long pressure_iterations = 0;
-    long wall_guard_activations = 0;
-    long unconverged_solves = 0;
-    double particle_steps = 0;
+    long steps = 0;                      ///< since release
+    long pressure_iterations = 0;        ///< of all steps
+    long wall_guard_activations = 0;     ///< particles under pressure that were driven into the bed
+    long unconverged_solves = 0;         ///< steps whose pressure equation missed its tolerance
+    double particle_steps = 0;           ///< particles, summed over the steps
     double flying_particle_steps = 0;    ///< in free flight, without friction and pressure
     double sleeping_particle_steps = 0;  ///< at rest, without friction and pressure
     double highest_density = 0;          ///< rho / rho_0, over particles of the body and all instants
@@ -16,7 +16,7 @@ struct WorkCounts {
 
 /// Mechanical energy per metre of width, J/m.
 struct EnergyBudget {
-    double kinetic = 0;
+    double kinetic = 0;        ///< of the particles' velocities
     double potential = 0;      ///< above the origin of the frame
     double friction_work = 0;  ///< taken from the motion by friction since release
     double pressure_work = 0;  ///< given to the motion by pressure since release: the error of the projection
@@ -34,9 +34,9 @@ struct WorkLedger {
     double side_walls = 0;  ///< taken from it
     double numerical = 0;  ///< lost because gravity acts on the mean velocity and moves with the new one, and
                            ///< where particles are shifted
-    WorkCounts counts;
+    WorkCounts counts;     ///< of steps and what they took
 
-    /// Taken from the motion in all, but for what shaking gave.
+    /// Taken from the motion in all, not counting what shaking gave, J/m.
     [[nodiscard]] double taken() const { return friction - pressure + guard + side_walls + numerical; }
 };
 
