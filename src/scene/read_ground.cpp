@@ -8,6 +8,7 @@
 
 #include "core/input_error.h"
 #include "scene/parameters.h"
+#include "source/source_types.h"
 
 namespace runout {
 namespace {
@@ -49,10 +50,6 @@ SectionContent read_own_file(const CaseSpec& spec) {
     const SectionFormat& format = format_of_section(spec.section.file);
     check_keys_of_format(spec, format.name, format.keys);
     return format.read(spec.section.file, spec.section.format);
-}
-
-bool takes_points(SourceType type) {
-    return type == SourceType::polygon || type == SourceType::slip_surface;
 }
 
 /// Whether the case says of the source what only a shape with sizes has.
@@ -101,12 +98,13 @@ SourceSpec with_drawn_mass(const CaseSpec& spec, const DrawnMass& mass, std::vec
         source.type = drawn_type(spec, mass);
         assumed.push_back(fmt::format("source.type = {}, as drawn", to_string(source.type)));
     }
-    const bool polygon = source.type == SourceType::polygon;
-    const Polyline& points = polygon ? mass.outline : mass.slip_line;
-    if (!takes_points(source.type) || points.empty()) return source;
+    if (!takes_points(source.type)) return source;
+    const bool outline = row_of(source.type).placement == Placement::by_outline;
+    const Polyline& points = outline ? mass.outline : mass.slip_line;
+    if (points.empty()) return source;
     source.points = points;
     assumed.push_back(fmt::format("source.points = the {} points of {}", points.size(),
-                                  polygon ? mass.outline_from : mass.slip_line_from));
+                                  outline ? mass.outline_from : mass.slip_line_from));
     return source;
 }
 
