@@ -9,10 +9,10 @@
 
 #include "core/units.h"
 #include "source/source.h"
-#include "validation/slopes.h"
 #include "validation/slopes_chart.h"
 #include "validation/slopes_discontinuity.h"
 #include "validation/slopes_shared.h"
+#include "validation/suite_cases.h"
 
 namespace runout {
 namespace {
