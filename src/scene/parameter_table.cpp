@@ -26,10 +26,10 @@ std::vector<Parameter> section_parameters() {
              [](CaseSpec& spec, const std::string& path) { spec.section.file = path; }),
         number("section.toe_chainage_m", "m", any_number, "found on the section",
                "Chainage of the foot of the cut.",
-               [](CaseSpec& spec, double metres) { spec.section.options.toe_chainage_m = metres; }),
+               [](CaseSpec& spec, double metres) { spec.section.options.toe_chainage = Chainage(metres); }),
         number("section.crest_chainage_m", "m", any_number, "found on the section",
                "Chainage of the upper edge of the cut.",
-               [](CaseSpec& spec, double metres) { spec.section.options.crest_chainage_m = metres; }),
+               [](CaseSpec& spec, double metres) { spec.section.options.crest_chainage = Chainage(metres); }),
     };
 }
 
@@ -92,8 +92,9 @@ std::vector<Parameter> placing_parameters() {
     return {
         place("section.origin", "not on a map", "Where section.file lies on the map.",
               [](CaseSpec& spec, const Vec2& at) { spec.section.placing.origin = at; }),
-        number("section.origin_chainage_m", "m", any_number, "0", "Chainage at section.origin.",
-               [](CaseSpec& spec, double metres) { spec.section.placing.origin_chainage_m = metres; }),
+        number(
+            "section.origin_chainage_m", "m", any_number, "0", "Chainage at section.origin.",
+            [](CaseSpec& spec, double metres) { spec.section.placing.origin_chainage = Chainage(metres); }),
         number("section.bearing_deg", "deg", between(-360, 360), "from section.towards",
                "Grid bearing of the section, clockwise from grid north, towards increasing chainage.",
                [](CaseSpec& spec, double angle) { spec.section.placing.bearing = radians(angle); }),

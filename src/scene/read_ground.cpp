@@ -30,9 +30,9 @@ void check_keys_of_format(const CaseSpec& spec, std::string_view format, const K
 /// Puts a section that comes without a map where the case says it lies.
 void place_on_map(const SectionSpec& section, Profile& profile) {
     if (!section.placing.origin.allFinite()) return;
-    const auto [from, to] = std::minmax(
-        {profile.to_section(profile.ground.front()).x(), profile.to_section(profile.ground.back()).x()});
-    profile.map_line = placed_line(section.placing, from, to);
+    const Chainage head = profile.chainage_at(profile.ground.front().x());
+    const Chainage end = profile.chainage_at(profile.ground.back().x());
+    profile.map_line = placed_line(section.placing, std::min(head, end), std::max(head, end));
 }
 
 SectionContent read_local_section(const CaseSpec& spec) {

@@ -163,8 +163,8 @@ Scene stress_scene(const StressPoint& p, const std::string& name) {
     SourceSpec spec = source_of(p, kind);
     for (Vec2& corner : spec.points) corner = in_section(corner);
     ProfileOptions options;
-    options.toe_chainage_m = p.offset_m;
-    options.crest_chainage_m = in_section(ground_of(hillside)[1]).x();
+    options.toe_chainage = Chainage(p.offset_m);
+    options.crest_chainage = Chainage(in_section(ground_of(hillside)[1]).x());
 
     Scene scene;
     scene.name = name;

@@ -125,8 +125,8 @@ void derive_any_source(std::span<const std::uint8_t> bytes) {
         const std::vector<Vec2> points = points_from(numbers, 2 + numbers.byte() % 10, true);
         ProfileOptions options;
         const std::uint8_t given = numbers.byte();
-        if (given % 4 == 1) options.toe_chainage_m = numbers.number();
-        if (given % 8 == 3) options.crest_chainage_m = numbers.number();
+        if (given % 4 == 1) options.toe_chainage = Chainage(numbers.number());
+        if (given % 8 == 3) options.crest_chainage = Chainage(numbers.number());
         const Profile profile = make_profile({points, {}, "fuzz"}, options);
         check(profile);
         check(derive_source(profile, spec_from(numbers)));
