@@ -19,14 +19,14 @@ constexpr std::array<SpecKey, 6> dipping_box_keys = {&S::base_angle, &S::area,  
 constexpr std::array<SpecKey, 5> wedge_keys = {&S::base_angle, &S::scarp_angle, &S::area, &S::height,
                                                &S::drop_height};
 
-constexpr std::array<SourceTypeRow, 6> table = {{
+constexpr auto table = std::to_array<SourceTypeRow>({
     {SourceType::rectangle, "rectangle", Placement::by_drop_height, box_keys, 0, derive_rectangle},
     {SourceType::a, "A", Placement::by_drop_height, dipping_box_keys, 0, derive_a},
     {SourceType::b, "B", Placement::by_drop_height, wedge_keys, 0, derive_b},
     {SourceType::c, "C", Placement::below_crest, wedge_keys, 0, derive_c},
     {SourceType::polygon, "polygon", Placement::by_outline, {}, 3, derive_polygon},
     {SourceType::slip_surface, "slip_surface", Placement::by_slip_surface, {}, 2, derive_slip_surface},
-}};
+});
 
 [[noreturn]] void refuse_type(const std::string& value) {
     std::string known;

@@ -284,9 +284,10 @@ TEST(SourceTypes, AValueOutsideTheTableIsAnErrorAndNoSlipSurface) {
     for (SourceSpec spec :
          {type_b(), SourceSpec{}, free_shape(SourceType::polygon, {{0, 0}, {0.1, 0}, {0, 0.1}})}) {
         spec.type = unknown;
-        EXPECT_EQ(error_of(profile, spec),
-                  "source.type = 6: is not a known type; known are rectangle, A, B, C, "
-                  "polygon, slip_surface");
+        const std::string said = error_of(profile, spec);
+        EXPECT_TRUE(said.starts_with("source.type = ")) << said;
+        EXPECT_PRED2(contains, said,
+                     "is not a known type; known are rectangle, A, B, C, polygon, slip_surface");
     }
     EXPECT_PRED2(contains, input_error([&] { (void)to_string(unknown); }), "is not a known type");
     EXPECT_PRED2(contains, input_error([] { source_type_named("slip surface"); }),
