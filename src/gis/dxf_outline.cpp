@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/input_error.h"
+#include "core/words.h"
 
 namespace runout {
 namespace {
@@ -23,13 +24,6 @@ struct Pair {
     std::string value;
     long line = 0;  ///< of the value
 };
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r";
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-}
 
 int integer_in(std::string_view text) {
     int value = -1;

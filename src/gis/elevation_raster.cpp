@@ -8,6 +8,7 @@
 
 #include "core/elevation_limits.h"
 #include "core/length_unit.h"
+#include "core/words.h"
 #include "gis/gdal_access.h"
 #include "gis/raster_cells.h"
 
@@ -38,9 +39,7 @@ struct Footprint {
 
 /// Metres in the unit that a band names; 0 when it names none that is known.
 double unit_of_label(const std::string& label) {
-    std::string word = label;
-    std::ranges::transform(word, word.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string word = lower_case(label);
     if (word == "m" || word.starts_with("met")) return 1;
     if (word.starts_with("us") || word == "ftus") return us_survey_foot_m;
     if (word == "ft" || word.starts_with("foot") || word.starts_with("feet") ||

@@ -1,5 +1,6 @@
 #include "gis/feature_line.h"
 
+#include <cpl_json.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 #include <memory>
 
 #include "gis/gdal_access.h"
-#include "gis/json_elevations.h"
 
 namespace runout {
 namespace {
@@ -31,6 +31,31 @@ FieldValue field_value(const OGRFeature& feature, int i) {
         default:
             return std::string(feature.GetFieldAsString(i));
     }
+}
+
+bool is_number(const CPLJSONObject& value) {
+    const auto type = value.GetType();
+    return type == CPLJSONObject::Type::Integer || type == CPLJSONObject::Type::Long ||
+           type == CPLJSONObject::Type::Double;
+}
+
+/// Which positions of a line in GeoJSON have a third number, for a feature as its file has it. GDAL reads a
+/// missing one as 0. Empty where the text holds no line of one part.
+std::vector<bool> has_third_number(const std::string& feature) {
+    CPLJSONDocument document;
+    if (feature.empty() || !document.LoadMemory(feature)) return {};
+    const CPLJSONObject geometry = document.GetRoot().GetObj("geometry");
+    CPLJSONArray positions = geometry.GetArray("coordinates");
+    if (geometry.GetString("type") == "MultiLineString" && positions.Size() == 1)
+        positions = positions[0].ToArray();
+    else if (geometry.GetString("type") != "LineString")
+        return {};
+    std::vector<bool> found;
+    for (int i = 0; i < positions.Size(); ++i) {
+        const CPLJSONArray position = positions[i].ToArray();
+        found.push_back(position.Size() > 2 && is_number(position[2]));
+    }
+    return found;
 }
 
 }  // namespace

@@ -3,19 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <type_traits>
 
+#include "core/words.h"
+
 namespace runout {
-namespace {
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Vec2 point_at(const MapLine& line, double chainage) {
     const auto& at = line.chainage_m;
@@ -51,7 +44,7 @@ std::string text_of(const FieldValue& value) {
 std::string attribute_text(const std::vector<Attribute>& attributes, const std::vector<std::string>& names) {
     for (const std::string& name : names)
         for (const Attribute& attribute : attributes) {
-            if (lower(attribute.name) != name) continue;
+            if (lower_case(attribute.name) != name) continue;
             const std::string text = text_of(attribute.value);
             if (!text.empty()) return text;
         }

@@ -40,7 +40,7 @@ Vec2 direction(const LinePlacing& placing, const OGRSpatialReference& reference,
 
 }  // namespace
 
-MapLine placed_line(const LinePlacing& placing, double from_chainage_m, double to_chainage_m) {
+MapLine placed_line(const LinePlacing& placing, Chainage from, Chainage to) {
     const QuietGdal quiet;
     const OGRSpatialReference reference = map_reference(reference_from(placing.crs, "section.crs"));
     check_place("section.origin", placing.origin, reference);
@@ -49,9 +49,9 @@ MapLine placed_line(const LinePlacing& placing, double from_chainage_m, double t
     const MetricFrame metric(reference, placing.origin, {placing.origin});
     const Transformation back(metres, reference);
     const Vec2 along = direction(placing, reference, metric);
-    MapLine line{wkt_of(reference), {}, {from_chainage_m, to_chainage_m}, {}};
+    MapLine line{wkt_of(reference), {}, {from.m, to.m}, {}};
     for (const double chainage : line.chainage_m) {
-        const Vec2 at = metric(placing.origin) + (chainage - placing.origin_chainage_m) * along;
+        const Vec2 at = metric(placing.origin) + (Chainage(chainage) - placing.origin_chainage) * along;
         line.points.push_back(back(at / metric.unit_m));
         if (!line.points.back().allFinite())
             throw InputError(place_of("section.origin", placing.origin),

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <string_view>
 
 #include "core/input_error.h"
+#include "core/words.h"
 
 namespace runout {
 namespace {
@@ -26,11 +26,6 @@ struct Role {
 
 constexpr std::array<Role, 3> roles = {
     {{"ground", &LayerRoles::ground}, {"source", &LayerRoles::source}, {"slip", &LayerRoles::slip}}};
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-}
 
 std::map<std::string, int> lines_by_layer(const Drawing& drawing) {
     std::map<std::string, int> counts;
@@ -51,8 +46,8 @@ std::string list_of(const std::map<std::string, int>& layers) {
 /// The layer of that name; where none has it exactly, the one that differs in capitals alone.
 std::string layer_named(const std::string& name, const std::map<std::string, int>& layers) {
     if (layers.contains(name)) return name;
-    const auto found =
-        std::ranges::find_if(layers, [&](const auto& layer) { return lower(layer.first) == lower(name); });
+    const auto found = std::ranges::find_if(
+        layers, [&](const auto& layer) { return lower_case(layer.first) == lower_case(name); });
     return found == layers.end() ? "" : found->first;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/input_error.h"
+#include "core/words.h"
 
 namespace runout {
 namespace {
@@ -14,15 +15,11 @@ namespace {
 /// Names of fields in a shapefile end here.
 constexpr std::size_t longest_shapefile_name = 10;
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
+constexpr std::string_view blanks = " \t";
 
 /// NaN when it is no number of metres.
 double metres_in(std::string_view text) {
-    if (text.ends_with('m') || text.ends_with('M')) text = trimmed(text.substr(0, text.size() - 1));
+    if (text.ends_with('m') || text.ends_with('M')) text = trimmed(text.substr(0, text.size() - 1), blanks);
     if (text.starts_with('+')) text.remove_prefix(1);
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -30,15 +27,15 @@ double metres_in(std::string_view text) {
     return whole ? value : std::nan("");
 }
 
-void take_attribute(double& option, const std::string& key, const SectionLine& line,
+void take_attribute(Chainage& option, const std::string& key, const SectionLine& line,
                     const std::string& file) {
-    if (!std::isnan(option)) return;  // what the user says comes first
+    if (option.is_known()) return;  // what the user says comes first
     for (const std::string& name : {key, key.substr(0, longest_shapefile_name)}) {
         const std::string text = attribute_text(line.map.attributes, {name});
-        const std::string_view written = trimmed(text);
+        const std::string_view written = trimmed(text, blanks);
         if (written.empty()) continue;
-        option = metres_in(written);
-        if (!std::isnan(option)) return;
+        option = Chainage(metres_in(written));
+        if (option.is_known()) return;
         throw InputError({file, 0, fmt::format("feature {}, {}", line.feature_id, name), text},
                          "is not a number", "give the chainage in metres, such as 36.5, or leave it empty");
     }
@@ -47,8 +44,8 @@ void take_attribute(double& option, const std::string& key, const SectionLine& l
 }  // namespace
 
 ProfileOptions with_attributes(ProfileOptions options, const SectionLine& line, const std::string& file) {
-    take_attribute(options.toe_chainage_m, "toe_chainage_m", line, file);
-    take_attribute(options.crest_chainage_m, "crest_chainage_m", line, file);
+    take_attribute(options.toe_chainage, "toe_chainage_m", line, file);
+    take_attribute(options.crest_chainage, "crest_chainage_m", line, file);
     return options;
 }
 

@@ -28,12 +28,13 @@ struct Side {
     [[nodiscard]] double weight() const { return faces.empty() ? 0 : faces.front().weight; }
 };
 
-void require_on_section(const std::vector<Vec2>& points, double chainage, const char* key,
+void require_on_section(const std::vector<Vec2>& points, Chainage given, const char* key,
                         const std::string& file) {
-    if (std::isnan(chainage) || (chainage >= points.front().x() && chainage <= points.back().x())) return;
-    throw InputError(
-        {file, 0, key, fmt::format("{:.12g}", chainage)}, "is not on the section",
-        fmt::format("give a chainage between {:.12g} and {:.12g}", points.front().x(), points.back().x()));
+    const double first = points.front().x();
+    const double last = points.back().x();
+    if (!given.is_known() || (given.m >= first && given.m <= last)) return;
+    throw InputError({file, 0, key, fmt::format("{:.12g}", given.m)}, "is not on the section",
+                     fmt::format("give a chainage between {:.12g} and {:.12g}", first, last));
 }
 
 /// A chainage that is read off a drawing misses the corner it means: by 5 cm or 0.2 % of the relief, but on a
@@ -83,10 +84,10 @@ struct Given {
 };
 
 Given given_on(Polyline& ground, const ProfileOptions& options, double sign) {
-    Given given{!std::isnan(options.toe_chainage_m), !std::isnan(options.crest_chainage_m), {}};
+    Given given{options.toe_chainage.is_known(), options.crest_chainage.is_known(), {}};
     const double tolerance = reading_tolerance(relief_of(ground));
-    const double toe = given.toe ? point_near(ground, sign * options.toe_chainage_m, tolerance) : 0;
-    const double crest = given.crest ? point_near(ground, sign * options.crest_chainage_m, tolerance) : 0;
+    const double toe = given.toe ? point_near(ground, sign * options.toe_chainage.m, tolerance) : 0;
+    const double crest = given.crest ? point_near(ground, sign * options.crest_chainage.m, tolerance) : 0;
     given.at.crest = given.crest ? first_at(ground, crest) : 0;
     given.at.toe = given.toe ? last_at(ground, toe) : ground.size() - 1;
     return given;
@@ -169,9 +170,9 @@ struct Sides {
 };
 
 Sides both_sides(const std::vector<Vec2>& points, const ProfileOptions& options, const std::string& file) {
-    // A comparison with NaN is false, so a chainage that is not given does not decide.
-    if (options.crest_chainage_m < options.toe_chainage_m) return {searched(points, options, true), {}};
-    if (options.crest_chainage_m > options.toe_chainage_m) return {searched(points, options, false), {}};
+    // A chainage that is not given is neither before nor behind the other: it does not decide.
+    if (options.crest_chainage < options.toe_chainage) return {searched(points, options, true), {}};
+    if (options.crest_chainage > options.toe_chainage) return {searched(points, options, false), {}};
     Side with = searched(points, options, true);
     Side against = searched(points, options, false);
     const double difference = with.weight() - against.weight();
@@ -185,11 +186,11 @@ Sides both_sides(const std::vector<Vec2>& points, const ProfileOptions& options,
 
 PlacedFace place_face(const std::vector<Vec2>& points, const ProfileOptions& options,
                       const std::string& file) {
-    require_on_section(points, options.toe_chainage_m, toe_key, file);
-    require_on_section(points, options.crest_chainage_m, crest_key, file);
+    require_on_section(points, options.toe_chainage, toe_key, file);
+    require_on_section(points, options.crest_chainage, crest_key, file);
     auto [side, other] = both_sides(points, options, file);
-    const bool toe_given = !std::isnan(options.toe_chainage_m);
-    const bool crest_given = !std::isnan(options.crest_chainage_m);
+    const bool toe_given = options.toe_chainage.is_known();
+    const bool crest_given = options.crest_chainage.is_known();
 
     PlacedFace placed{side.ground, side.ends, inclination_of(side.ground, side.ends), side.with_chainage, {}};
     if (side.faces.empty()) return placed;

@@ -18,12 +18,16 @@ Vec2 without_dust(const Vec2& p) {
 }  // namespace
 
 Vec2 Profile::to_section(const Vec2& local) const {
-    return {toe_chainage_m + (descends_with_chainage ? local.x() : -local.x()), toe_elevation_m + local.y()};
+    return {chainage_at(local.x()).m, toe_elevation_m + local.y()};
 }
 
-Vec2 Profile::to_local(const Vec2& section) const {
-    const double along = section.x() - toe_chainage_m;
-    return {descends_with_chainage ? along : -along, section.y() - toe_elevation_m};
+Chainage Profile::chainage_at(double x) const {
+    return Chainage(toe_chainage_m + (descends_with_chainage ? x : -x));
+}
+
+Vec2 Profile::to_local(const SectionPoint& section) const {
+    const double along = section.chainage - Chainage(toe_chainage_m);
+    return {descends_with_chainage ? along : -along, section.elevation - toe_elevation_m};
 }
 
 Profile make_profile(const SectionPoints& section, const ProfileOptions& options) {
@@ -32,8 +36,8 @@ Profile make_profile(const SectionPoints& section, const ProfileOptions& options
     profile.origin = section.origin;
     profile.read_as = section.read_as;
     profile.map_line = section.map_line;
-    profile.toe_given = !std::isnan(options.toe_chainage_m);
-    profile.crest_given = !std::isnan(options.crest_chainage_m);
+    profile.toe_given = options.toe_chainage.is_known();
+    profile.crest_given = options.crest_chainage.is_known();
     profile.doubts = std::move(placed.doubts);
     profile.descends_with_chainage = placed.descends_with_chainage;
     profile.crest = placed.ends.crest;

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/geometry.h"
+#include "core/section_point.h"
 #include "gis/elevation_raster.h"
 #include "gis/map_line.h"
 #include "gis/section_line.h"
@@ -38,13 +38,15 @@ struct Profile {
     std::vector<std::string> doubts;  ///< what to know of how toe and crest were chosen, a sentence each
     std::optional<MapLine> map_line;  ///< where the section lies; none where nothing says so
 
-    /// Local point -> (chainage, elevation) of the file.
+    /// A point of the section's file in the local frame: the way in.
+    [[nodiscard]] Vec2 to_local(const SectionPoint& section) const;
+    /// A local point as (chainage, elevation) of the file, two numbers to print, draw or store: the way out.
     [[nodiscard]] Vec2 to_section(const Vec2& local) const;
-    /// (chainage, elevation) of the file -> local point.
-    [[nodiscard]] Vec2 to_local(const Vec2& section) const;
+    /// The chainage of a local x.
+    [[nodiscard]] Chainage chainage_at(double x) const;
 };
 
-/// What the user may say about a section beyond its points. NaN = found on the profile.
+/// What the user may say about a section beyond its points. Not known: found on the profile.
 ///
 /// How toe and crest are found: find_faces() and placed_ends(). A section without a face (a flat bed) has
 /// toe and crest at its uphill end. A given chainage replaces the search, which then stays uphill of a given
@@ -52,8 +54,8 @@ struct Profile {
 /// relief, whichever is more (but 1 % of the relief at most), or else a point is put in. On a vertical face
 /// the toe is its lower point and the crest its upper one.
 struct ProfileOptions {
-    double toe_chainage_m = std::numeric_limits<double>::quiet_NaN();
-    double crest_chainage_m = std::numeric_limits<double>::quiet_NaN();
+    Chainage toe_chainage;
+    Chainage crest_chainage;
 };
 
 /// Profile from points whose chainage never decreases. The section descends from a given crest to a given

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 
 #include "core/input_error.h"
+#include "core/words.h"
 #include "profile/read_section_table.h"
 
 namespace runout {
@@ -23,12 +23,6 @@ std::string start_of(const std::string& path) {
     stream.read(start.data(), static_cast<std::streamsize>(start.size()));
     start.resize(static_cast<std::size_t>(stream.gcount()));
     return start;
-}
-
-std::string lower_ending(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    return ending;
 }
 
 bool is_dxf(const std::string& path, std::string_view start) {
@@ -80,13 +74,22 @@ SectionContent read_table(const std::string& path, const SectionFileOptions& opt
 
 std::span<const SectionFormat> section_formats() {
     static const std::vector<SectionFormat> formats = {
-        {"a drawing (DXF)", {"section.unit", "section.dxf_layers"}, is_dxf, read_drawing},
+        {"a drawing (DXF)", {"section.unit", "section.dxf_layers"}, {".dxf"}, is_dxf, read_drawing},
         {"LandXML",
          {"section.unit", "section.alignment", "section.station", "section.surface"},
+         {".xml", ".landxml"},
          is_xml,
          read_xml},
-        {"lines in a local system", {"section.unit", "section.dxf_layers"}, is_vector_file, read_vector_file},
-        {"a table", {"section.unit", "section.columns", "section.decimal"}, is_anything, read_table},
+        {"lines in a local system",
+         {"section.unit", "section.dxf_layers"},
+         {},
+         is_vector_file,
+         read_vector_file},
+        {"a table",
+         {"section.unit", "section.columns", "section.decimal"},
+         {".csv", ".txt", ".tsv", ".dat", ".prn", ".xyz", ".pts"},
+         is_anything,
+         read_table},
     };
     return formats;
 }

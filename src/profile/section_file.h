@@ -22,8 +22,9 @@ struct SectionFileOptions {
 
 /// A format that sections come in.
 struct SectionFormat {
-    std::string_view name;               ///< "a drawing (DXF)"
-    std::vector<std::string_view> keys;  ///< that say how to read it
+    std::string_view name;                  ///< "a drawing (DXF)"
+    std::vector<std::string_view> keys;     ///< that say how to read it
+    std::vector<std::string_view> endings;  ///< that stand for it on a command line: ".dxf"; may be none
     bool (*recognises)(const std::string& path, std::string_view start);
     SectionContent (*read)(const std::string& path, const SectionFileOptions& options);
 };

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/words.h"
+
 namespace runout {
 namespace {
 
@@ -77,27 +79,15 @@ bool is_number(std::string_view cell, char mark) {
     return rewrite(cell, mark, ignored);
 }
 
-std::string lower(std::string_view text) {
-    std::string small(text);
-    std::ranges::transform(small, small.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return small;
-}
-
 /// What may stand before a station: Km, Sta, and the letters of railway lines.
 std::string_view without_station_word(std::string_view cell) {
     std::size_t end = 0;
     while (end < cell.size() && !is_digit(cell[end]) && cell[end] != '-' && cell[end] != '+') ++end;
-    std::string word = lower(cell.substr(0, end));
+    std::string word = lower_case(cell.substr(0, end));
     std::erase_if(word, [](char c) { return c == ' ' || c == '.' || c == ':'; });
     constexpr std::array<std::string_view, 8> known = {"sta", "stn", "station", "ch", "km", "k", "dk", "pk"};
     return word.empty() || std::ranges::find(known, word) != known.end() ? cell.substr(end)
                                                                          : std::string_view{};
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
-    return text.substr(first, text.find_last_not_of(' ') + 1 - first);
 }
 
 }  // namespace
@@ -134,13 +124,13 @@ std::optional<StationText> station_text(std::string_view cell) {
     const std::size_t plus = cell.rfind('+');
     if (plus == std::string_view::npos || plus == 0) return std::nullopt;
     StationText station;
-    std::string_view before = trimmed(without_station_word(cell.substr(0, plus)));
+    std::string_view before = trimmed(without_station_word(cell.substr(0, plus)), " ");
     if (before.starts_with('-')) {
         station.sign = before.substr(0, 1);
-        before = trimmed(before.substr(1));
+        before = trimmed(before.substr(1), " ");
     }
     station.before = before;
-    station.after = trimmed(cell.substr(plus + 1));
+    station.after = trimmed(cell.substr(plus + 1), " ");
     const std::size_t digits = digits_at(station.after, 0);
     const bool whole = digits == station.after.size();
     const bool decimal = !whole && (station.after[digits] == '.' || station.after[digits] == ',') &&
@@ -159,7 +149,7 @@ bool says_nothing(std::string_view cell) {
     constexpr std::array<std::string_view, 20> words = {
         "nan",    "-nan",   "+nan",    "null", "none",    "na",  "n/a",  "nd",   "n.d.",     "nil",
         "<null>", "nodata", "no data", "k.a.", "missing", "inf", "-inf", "+inf", "infinity", "void"};
-    return std::ranges::find(words, lower(cell)) != words.end();
+    return std::ranges::find(words, lower_case(cell)) != words.end();
 }
 
 bool is_nodata_number(double value) {

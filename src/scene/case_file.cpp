@@ -1,16 +1,18 @@
 #include "scene/case_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <optional>
 #include <vector>
 
+#include "core/words.h"
+#include "profile/section_file.h"
 #include "scene/parameters.h"
 #include "scene/toml_reading.h"
 
@@ -31,12 +33,6 @@ std::string read_text(const std::string& path) {
     if (fs::is_directory(path, ignored))
         throw InputError(whole_file(path), "is a folder", "give the case file in it, such as case.toml");
     return read_toml_text(path, "give a case (.toml) or a section (.csv)");
-}
-
-std::string lower_extension(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return extension;
 }
 
 /// "box-45" for cases/box-45/case.toml, "cut-60" for profiles/cut-60.csv.
@@ -329,12 +325,21 @@ void forget_how_fine_the_file_said(CaseSpec& spec, std::string_view except) {
     }
 }
 
+/// "a drawing (DXF) as .dxf; LandXML as .xml, .landxml; ": what a section of its own may be.
+std::string formats_with_endings() {
+    std::string list;
+    for (const SectionFormat& format : section_formats())
+        if (!format.endings.empty())
+            list += fmt::format("{} as {}; ", format.name, fmt::join(format.endings, ", "));
+    return list;
+}
+
 /// Which key a file stands for that is no case; empty if none. What has the ending of a table, a drawing or
 /// LandXML is one, and never taken for a map; a drawing in DXF is a map only as section.line.
 std::string section_key(const std::string& path) {
-    constexpr std::array sections = {".csv", ".txt", ".tsv", ".dat", ".prn",
-                                     ".xyz", ".pts", ".dxf", ".xml", ".landxml"};
-    if (std::ranges::find(sections, lower_extension(path)) != sections.end()) return "section.file";
+    const std::string ending = lower_ending(path);
+    for (const SectionFormat& format : section_formats())
+        if (std::ranges::find(format.endings, ending) != format.endings.end()) return "section.file";
     const std::string driver = line_driver(path);
     return driver.empty() || driver == "DXF" ? "" : "section.line";
 }
@@ -344,7 +349,7 @@ std::string section_key(const std::string& path) {
 CaseSpec read_case(const std::string& path) {
     CaseSpec spec;
     spec.file = path;
-    if (lower_extension(path) == ".toml") {
+    if (lower_ending(path) == ".toml") {
         read_toml(spec);
     } else if (const std::string key = section_key(path); !key.empty()) {
         const InputPlace place{.file = path, .line = 0, .key = key, .value = {}};
@@ -352,9 +357,9 @@ CaseSpec read_case(const std::string& path) {
     } else {
         read_text(path);  // a missing file is the likelier mistake, and says so
         throw InputError(whole_file(path), "is neither a case nor a section",
-                         "give a .toml file, a table as .csv, .txt, .tsv, .dat, .prn, .xyz or .pts, a "
-                         "drawing as .dxf, LandXML as .xml, "
-                         "or lines as GeoPackage, shapefile, GeoJSON, KML, GPX and the like (docs/maps.md)");
+                         fmt::format("give a .toml file; {}or lines as GeoPackage, shapefile, GeoJSON, KML, "
+                                     "GPX and the like (docs/maps.md)",
+                                     formats_with_endings()));
     }
     if (!spec.has("run.name")) spec.name = name_from(path);
     return spec;

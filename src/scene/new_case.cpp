@@ -18,6 +18,7 @@
 #include "scene/read_ground.h"
 #include "scene/toml_text.h"
 #include "source/ground_walk.h"
+#include "source/source_types.h"
 
 namespace runout {
 namespace {
@@ -195,13 +196,11 @@ void write_source(CaseText& text, const Completed& completed) {
             text.comment("Taken from the drawing: " + sentence + ".");
     text.offered("source.type", toml_string(to_string(source.type)));
     text.rest_of("source.");
-    const bool dips = source.type == SourceType::b || source.type == SourceType::c;
-    if (dips && !spec.has("source.area_m2")) {
-        const double top =
-            source.type == SourceType::b ? source.head.y() : site.profile.ground[site.profile.crest].y();
-        text.offered("source.height_m", shortest(top - source.exit_point.y()));
-    }
-    if (source.type == SourceType::b) text.offered("source.drop_height_m", shortest(source.drop_height));
+    const bool has_height = uses(source.type, &SourceSpec::height);
+    if (has_height && !spec.has("source.area_m2"))
+        text.offered("source.height_m", shortest(height_of(site.profile, source)));
+    if (has_height && row_of(source.type).placement == Placement::by_drop_height)
+        text.offered("source.drop_height_m", shortest(source.drop_height));
     text.offered("source.discontinuity_angle_deg", shortest(degrees(source.discontinuity_angle)));
 }
 

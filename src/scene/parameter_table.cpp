@@ -3,6 +3,8 @@
 #include "core/units.h"
 #include "scene/parameter_builders.h"
 #include "scene/parameters.h"
+#include "source/source_types.h"
+#include "source/spec_check.h"
 
 // The one place where a key of a case file is declared. Reading, range checks, `--set`, the options of
 // `runout run` and `runout help keys` all follow from this table.
@@ -10,16 +12,10 @@
 namespace runout {
 namespace {
 
-Parameter only_for(std::vector<SourceType> types, Parameter parameter) {
-    parameter.applies_to = std::move(types);
-    return parameter;
-}
-
-SourceType source_type(const std::string& name) {
-    for (const SourceType type :
-         {SourceType::rectangle, SourceType::a, SourceType::b, SourceType::c, SourceType::polygon})
-        if (name == to_string(type)) return type;
-    return SourceType::slip_surface;
+Words names_of_source_types() {
+    Words names;
+    for (const SourceTypeRow& row : source_types()) names.push_back(row.name);
+    return names;
 }
 
 std::vector<Parameter> section_parameters() {
@@ -30,10 +26,10 @@ std::vector<Parameter> section_parameters() {
              [](CaseSpec& spec, const std::string& path) { spec.section.file = path; }),
         number("section.toe_chainage_m", "m", any_number, "found on the section",
                "Chainage of the foot of the cut.",
-               [](CaseSpec& spec, double metres) { spec.section.options.toe_chainage_m = metres; }),
+               [](CaseSpec& spec, double metres) { spec.section.options.toe_chainage = Chainage(metres); }),
         number("section.crest_chainage_m", "m", any_number, "found on the section",
                "Chainage of the upper edge of the cut.",
-               [](CaseSpec& spec, double metres) { spec.section.options.crest_chainage_m = metres; }),
+               [](CaseSpec& spec, double metres) { spec.section.options.crest_chainage = Chainage(metres); }),
     };
 }
 
@@ -96,8 +92,9 @@ std::vector<Parameter> placing_parameters() {
     return {
         place("section.origin", "not on a map", "Where section.file lies on the map.",
               [](CaseSpec& spec, const Vec2& at) { spec.section.placing.origin = at; }),
-        number("section.origin_chainage_m", "m", any_number, "0", "Chainage at section.origin.",
-               [](CaseSpec& spec, double metres) { spec.section.placing.origin_chainage_m = metres; }),
+        number(
+            "section.origin_chainage_m", "m", any_number, "0", "Chainage at section.origin.",
+            [](CaseSpec& spec, double metres) { spec.section.placing.origin_chainage = Chainage(metres); }),
         number("section.bearing_deg", "deg", between(-360, 360), "from section.towards",
                "Grid bearing of the section, clockwise from grid north, towards increasing chainage.",
                [](CaseSpec& spec, double angle) { spec.section.placing.bearing = radians(angle); }),
@@ -142,48 +139,38 @@ std::vector<Parameter> raster_parameters() {
 }
 
 std::vector<Parameter> source_shape_parameters() {
-    using enum SourceType;
     return {
-        word("source.type", {"rectangle", "A", "B", "C", "polygon", "slip_surface"}, "B",
-             "Shape of the moving mass (docs/source-shapes.md).",
-             [](CaseSpec& spec, const std::string& name) { spec.source.type = source_type(name); }),
-        only_for({a, b, c},
-                 number("source.base_angle_deg", "deg", from_to_below(0, 90), "35",
-                        "Dip of the basal slip surface.",
-                        [](CaseSpec& spec, double angle) { spec.source.base_angle = radians(angle); })),
-        only_for({b, c},
-                 number("source.scarp_angle_deg", "deg", above_zero_up_to(90), "80",
-                        "Inclination of the back scarp; for B steeper than the face.",
-                        [](CaseSpec& spec, double angle) { spec.source.scarp_angle = radians(angle); })),
-        only_for({rectangle, a, b, c}, number("source.area_m2", "m2", positive, "from the other sizes",
-                                              "Cross-sectional area of the source.",
-                                              [](CaseSpec& spec, double area) { spec.source.area = area; })),
-        only_for({b, c}, number("source.height_m", "m", positive,
-                                "B: the whole face, unless an area is given; C: down to the toe",
-                                "B: from the exit point P up to the apex; C: from P up to the crest.",
-                                [](CaseSpec& spec, double metres) { spec.source.height = metres; })),
-        only_for({rectangle, a}, number("source.length_m", "m", positive, "from area and aspect ratio",
-                                        "Length along the base.",
-                                        [](CaseSpec& spec, double metres) { spec.source.length = metres; })),
-        only_for({rectangle, a},
-                 number("source.thickness_m", "m", positive, "from area and aspect ratio",
-                        "Thickness normal to the base.",
-                        [](CaseSpec& spec, double metres) { spec.source.thickness = metres; })),
-        only_for({rectangle, a},
-                 number("source.aspect_ratio", "", above_zero_up_to(100), "from length and thickness",
-                        "Length over thickness; the paper uses 1 to 3.",
-                        [](CaseSpec& spec, double ratio) { spec.source.aspect = ratio; })),
+        word("source.type", names_of_source_types(), "B", "Shape of the moving mass (docs/source-shapes.md).",
+             [](CaseSpec& spec, const std::string& name) { spec.source.type = source_type_named(name); }),
+        number("source.base_angle_deg", "deg", from_to_below(0, 90), "35", "Dip of the basal slip surface.",
+               [](CaseSpec& spec, double angle) { spec.source.base_angle = radians(angle); }),
+        number("source.scarp_angle_deg", "deg", above_zero_up_to(90), "80",
+               "Inclination of the back scarp; for B steeper than the face.",
+               [](CaseSpec& spec, double angle) { spec.source.scarp_angle = radians(angle); }),
+        number("source.area_m2", "m2", positive, "from the other sizes",
+               "Cross-sectional area of the source.",
+               [](CaseSpec& spec, double area) { spec.source.area = area; }),
+        number("source.height_m", "m", positive,
+               "B: the whole face, unless an area is given; C: down to the toe",
+               "B: from the exit point P up to the apex; C: from P up to the crest.",
+               [](CaseSpec& spec, double metres) { spec.source.height = metres; }),
+        number("source.length_m", "m", positive, "from area and aspect ratio", "Length along the base.",
+               [](CaseSpec& spec, double metres) { spec.source.length = metres; }),
+        number("source.thickness_m", "m", positive, "from area and aspect ratio",
+               "Thickness normal to the base.",
+               [](CaseSpec& spec, double metres) { spec.source.thickness = metres; }),
+        number("source.aspect_ratio", "", above_zero_up_to(100), "from length and thickness",
+               "Length over thickness; the paper uses 1 to 3.",
+               [](CaseSpec& spec, double ratio) { spec.source.aspect = ratio; }),
     };
 }
 
 std::vector<Parameter> source_place_parameters() {
-    using enum SourceType;
     return {
-        only_for({rectangle, a, b, c},
-                 number("source.drop_height_m", "m", zero_or_more,
-                        "rectangle: head at the crest; A, B: base at the toe; C: follows",
-                        "Height H_d of the source above the toe, to the point named by drop_height_datum.",
-                        [](CaseSpec& spec, double metres) { spec.source.drop_height = metres; })),
+        number("source.drop_height_m", "m", zero_or_more,
+               "rectangle: head at the crest; A, B: base at the toe; C: follows",
+               "Height H_d of the source above the toe, to the point named by drop_height_datum.",
+               [](CaseSpec& spec, double metres) { spec.source.drop_height = metres; }),
         word("source.drop_height_datum", {"head", "base"}, "head",
              "The drop height is measured to the head (uppermost ground point) or to the lower end of the "
              "source.",
@@ -194,13 +181,10 @@ std::vector<Parameter> source_place_parameters() {
                "Plane through P above which the mass forms the front (S_front); 55 holds near a friction "
                "angle of 38.",
                [](CaseSpec& spec, double angle) { spec.source.discontinuity_angle = radians(angle); }),
-        only_for(
-            {polygon, slip_surface},
-            points(
-                "source.points", "required for polygon and slip_surface",
-                "Corners of the polygon, or the slip line from end to end: [[chainage, elevation], ...] as "
-                "in the section file.",
-                [](CaseSpec& spec, const Polyline& corners) { spec.source.points = corners; })),
+        points("source.points", "required for polygon and slip_surface",
+               "Corners of the polygon, or the slip line from end to end: [[chainage, elevation], ...] as "
+               "in the section file.",
+               [](CaseSpec& spec, const Polyline& corners) { spec.source.points = corners; }),
     };
 }
 
@@ -285,6 +269,7 @@ std::vector<Parameter> whole_table() {
           placing_parameters(), source_shape_parameters(), source_place_parameters(), material_parameters(),
           effect_parameters(), physical_run_parameters(), numerical_run_parameters()})
         table.insert(table.end(), part.begin(), part.end());
+    for (Parameter& parameter : table) parameter.applies_to = types_using(parameter.key);
     return table;
 }
 

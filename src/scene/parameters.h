@@ -33,15 +33,15 @@ using Value = std::variant<double, std::string, Vec2, Polyline, std::vector<doub
 
 /// One key of a case file: all that reading, checking and explaining it takes.
 struct Parameter {
-    std::string_view key;  ///< "material.friction_angle_deg"
-    ValueKind kind;
-    std::string_view unit;                  ///< "" for pure numbers and words
-    Range range;                            ///< of numbers, integers and each of a list of numbers
-    std::vector<std::string_view> choices;  ///< valid words; of rows: what each number of a row is
-    std::string_view fallback;              ///< what holds when the key is absent, in words
-    std::string_view help;                  ///< one sentence
-    std::vector<SourceType> applies_to;     ///< source types that know this key; empty: all
-    std::function<void(CaseSpec&, const Value&)> set;
+    std::string_view key{};  ///< "material.friction_angle_deg"
+    ValueKind kind{};
+    std::string_view unit{};                  ///< "" for pure numbers and words
+    Range range{};                            ///< of numbers, integers and each of a list of numbers
+    std::vector<std::string_view> choices{};  ///< valid words; of rows: what each number of a row is
+    std::string_view fallback{};              ///< what holds when the key is absent, in words
+    std::string_view help{};                  ///< one sentence
+    std::vector<SourceType> applies_to{};     ///< source types that know this key; empty: all
+    std::function<void(CaseSpec&, const Value&)> set{};
 };
 
 /// The table of all keys, in the order of the documentation.

@@ -8,6 +8,7 @@
 
 #include "core/input_error.h"
 #include "scene/parameters.h"
+#include "source/source_types.h"
 
 namespace runout {
 namespace {
@@ -29,9 +30,9 @@ void check_keys_of_format(const CaseSpec& spec, std::string_view format, const K
 /// Puts a section that comes without a map where the case says it lies.
 void place_on_map(const SectionSpec& section, Profile& profile) {
     if (!section.placing.origin.allFinite()) return;
-    const auto [from, to] = std::minmax(
-        {profile.to_section(profile.ground.front()).x(), profile.to_section(profile.ground.back()).x()});
-    profile.map_line = placed_line(section.placing, from, to);
+    const Chainage head = profile.chainage_at(profile.ground.front().x());
+    const Chainage end = profile.chainage_at(profile.ground.back().x());
+    profile.map_line = placed_line(section.placing, std::min(head, end), std::max(head, end));
 }
 
 SectionContent read_local_section(const CaseSpec& spec) {
@@ -49,10 +50,6 @@ SectionContent read_own_file(const CaseSpec& spec) {
     const SectionFormat& format = format_of_section(spec.section.file);
     check_keys_of_format(spec, format.name, format.keys);
     return format.read(spec.section.file, spec.section.format);
-}
-
-bool takes_points(SourceType type) {
-    return type == SourceType::polygon || type == SourceType::slip_surface;
 }
 
 /// Whether the case says of the source what only a shape with sizes has.
@@ -101,12 +98,13 @@ SourceSpec with_drawn_mass(const CaseSpec& spec, const DrawnMass& mass, std::vec
         source.type = drawn_type(spec, mass);
         assumed.push_back(fmt::format("source.type = {}, as drawn", to_string(source.type)));
     }
-    const bool polygon = source.type == SourceType::polygon;
-    const Polyline& points = polygon ? mass.outline : mass.slip_line;
-    if (!takes_points(source.type) || points.empty()) return source;
+    if (!takes_points(source.type)) return source;
+    const bool outline = row_of(source.type).placement == Placement::by_outline;
+    const Polyline& points = outline ? mass.outline : mass.slip_line;
+    if (points.empty()) return source;
     source.points = points;
     assumed.push_back(fmt::format("source.points = the {} points of {}", points.size(),
-                                  polygon ? mass.outline_from : mass.slip_line_from));
+                                  outline ? mass.outline_from : mass.slip_line_from));
     return source;
 }
 

@@ -16,6 +16,7 @@
 #include "scene/read_ground.h"
 #include "scene/rest_check.h"
 #include "source/polygon_place.h"
+#include "source/source_types.h"
 
 namespace runout {
 namespace {
@@ -26,14 +27,6 @@ constexpr double most_particles = 5e6;
 
 constexpr int cohesive_friction_iterations = 60;
 constexpr double cohesive_pressure_tolerance = 1e-3;
-
-bool dips(SourceType type) {
-    return type == SourceType::a || type == SourceType::b || type == SourceType::c;
-}
-
-bool has_scarp(SourceType type) {
-    return type == SourceType::b || type == SourceType::c;
-}
 
 /// Gives `value` a default and says so; a value that the user gave stays.
 void assume(double& value, double fallback, const std::string& sentence, std::vector<std::string>& assumed) {
@@ -55,9 +48,11 @@ std::map<std::string, InputPlace> source_places(const CaseSpec& spec) {
 SourceSpec with_defaults(const CaseSpec& spec, const DrawnMass& drawn, std::vector<std::string>& assumed) {
     SourceSpec source = with_drawn_mass(spec, drawn, assumed);
     source.places = source_places(spec);
-    if (!spec.has("source.type") && source.type == SourceType::b) assumed.emplace_back("source.type = B");
-    if (dips(source.type)) assume(source.base_angle, radians(35), "source.base_angle_deg = 35", assumed);
-    if (has_scarp(source.type))
+    if (!spec.has("source.type") && source.type == SourceSpec{}.type)
+        assumed.push_back("source.type = " + to_string(source.type));
+    if (uses(source.type, &SourceSpec::base_angle))
+        assume(source.base_angle, radians(35), "source.base_angle_deg = 35", assumed);
+    if (uses(source.type, &SourceSpec::scarp_angle))
         assume(source.scarp_angle, radians(80), "source.scarp_angle_deg = 80", assumed);
     return source;
 }
@@ -65,14 +60,10 @@ SourceSpec with_defaults(const CaseSpec& spec, const DrawnMass& drawn, std::vect
 /// Where derive_source put a source whose place or height was left open.
 void say_where_it_was_put(const CaseSpec& spec, const Site& site, std::vector<std::string>& assumed) {
     const Source& source = site.source;
-    const bool sized_by_area = source.type == SourceType::b && spec.has("source.area_m2");
-    if (has_scarp(source.type) && !sized_by_area && !spec.has("source.height_m")) {
-        const double top =
-            source.type == SourceType::b ? source.head.y() : site.profile.ground[site.profile.crest].y();
-        assumed.push_back(fmt::format("source.height_m = {:.6g}", top - source.exit_point.y()));
-    }
-    const bool placed =
-        source.type == SourceType::rectangle || source.type == SourceType::a || source.type == SourceType::b;
+    const bool placed = row_of(source.type).placement == Placement::by_drop_height;
+    const bool sized_by_area = placed && spec.has("source.area_m2");
+    if (uses(source.type, &SourceSpec::height) && !sized_by_area && !spec.has("source.height_m"))
+        assumed.push_back(fmt::format("source.height_m = {:.6g}", height_of(site.profile, source)));
     if (placed && !spec.has("source.drop_height_m"))
         assumed.push_back(fmt::format("source.drop_height_m = {:.6g}", source.drop_height));
 }
@@ -80,7 +71,7 @@ void say_where_it_was_put(const CaseSpec& spec, const Site& site, std::vector<st
 /// A mass drawn by hand is part of the hill, or stands on the ground. What is drawn over the surface or hangs
 /// in the air is a slip, and would run out as if it were real.
 void check_polygon_place(const CaseSpec& spec, const Site& site) {
-    if (site.source.type != SourceType::polygon) return;
+    if (row_of(site.source.type).placement != Placement::by_outline) return;
     constexpr double drawing_error = 0.01;  // of the area: coordinates are decimals
     const PolygonPlace place = polygon_place(site.profile.ground, site.source.outline);
     const double outside = place.area - place.in_ground;

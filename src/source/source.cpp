@@ -5,27 +5,14 @@
 #include <cmath>
 
 #include "source/shapes.h"
+#include "source/source_types.h"
 #include "source/spec_check.h"
 
 namespace runout {
 
 Source derive_source(const Profile& profile, const SourceSpec& spec) {
     check_spec(spec);
-    switch (spec.type) {
-        case SourceType::rectangle:
-            return derive_rectangle(profile, spec);
-        case SourceType::a:
-            return derive_a(profile, spec);
-        case SourceType::b:
-            return derive_b(profile, spec);
-        case SourceType::c:
-            return derive_c(profile, spec);
-        case SourceType::polygon:
-            return derive_polygon(profile, spec);
-        case SourceType::slip_surface:
-            return derive_slip_surface(profile, spec);
-    }
-    refuse(spec, "source.type", "is not a known type", "known are rectangle, A, B, C, polygon, slip_surface");
+    return row_of(spec.type).derive(profile, spec);
 }
 
 bool is_film(double area, const std::vector<Vec2>& points) {
@@ -73,24 +60,6 @@ GroundPoint on_face(const Profile& profile, const SourceSpec& spec, double eleva
            fmt::format("puts {} {} m {} the toe", what, figure(std::abs(elevation)),
                        elevation < 0 ? "below" : "above"),
            fmt::format("the face goes from the toe to the crest, {} m above it", figure(crest)));
-}
-
-std::string to_string(SourceType type) {
-    switch (type) {
-        case SourceType::rectangle:
-            return "rectangle";
-        case SourceType::a:
-            return "A";
-        case SourceType::b:
-            return "B";
-        case SourceType::c:
-            return "C";
-        case SourceType::polygon:
-            return "polygon";
-        case SourceType::slip_surface:
-            return "slip_surface";
-    }
-    return "unknown";
 }
 
 std::string to_string(DropDatum datum) {

@@ -12,7 +12,8 @@
 
 namespace runout {
 
-/// Shapes of the moving mass, as in the paper's Figs 9 and 13.
+/// Shapes of the moving mass, as in the paper's Figs 9 and 13. What is to be known of each is a row of
+/// source_types().
 enum class SourceType { rectangle, a, b, c, polygon, slip_surface };
 
 /// Which point of the source the drop height is measured to: `head`, or `base`, where it daylights
@@ -61,7 +62,8 @@ struct Source {
 /// hillside.
 Source derive_source(const Profile& profile, const SourceSpec& spec);
 
-/// "rectangle", "A", "B", "C", "polygon", "slip_surface".
+/// As case files have it; throws InputError for a value that is no type.
 std::string to_string(SourceType type);
 std::string to_string(DropDatum datum);
+
 }  // namespace runout

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 namespace runout {
 namespace {
@@ -13,55 +12,35 @@ namespace {
 constexpr double least_size = 1e-9;
 constexpr double greatest_size = 1e8;
 
+constexpr const char* points_key = "source.points";
+
 enum class Quantity { angle, size, elevation, ratio };
 
 struct KeyInfo {
     SpecKey key;
-    const char* name;
+    std::string_view name;
     Quantity quantity;
-    std::string_view types;  ///< one letter a type that uses it: r, A, B, C
 };
 
 constexpr std::array<KeyInfo, 8> known_keys{{
-    {&SourceSpec::base_angle, "source.base_angle_deg", Quantity::angle, "ABC"},
-    {&SourceSpec::scarp_angle, "source.scarp_angle_deg", Quantity::angle, "BC"},
-    {&SourceSpec::area, "source.area_m2", Quantity::size, "rABC"},
-    {&SourceSpec::height, "source.height_m", Quantity::size, "BC"},
-    {&SourceSpec::length, "source.length_m", Quantity::size, "rA"},
-    {&SourceSpec::thickness, "source.thickness_m", Quantity::size, "rA"},
-    {&SourceSpec::aspect, "source.aspect_ratio", Quantity::ratio, "rA"},
-    {&SourceSpec::drop_height, "source.drop_height_m", Quantity::elevation, "rABC"},
+    {&SourceSpec::base_angle, "source.base_angle_deg", Quantity::angle},
+    {&SourceSpec::scarp_angle, "source.scarp_angle_deg", Quantity::angle},
+    {&SourceSpec::area, "source.area_m2", Quantity::size},
+    {&SourceSpec::height, "source.height_m", Quantity::size},
+    {&SourceSpec::length, "source.length_m", Quantity::size},
+    {&SourceSpec::thickness, "source.thickness_m", Quantity::size},
+    {&SourceSpec::aspect, "source.aspect_ratio", Quantity::ratio},
+    {&SourceSpec::drop_height, "source.drop_height_m", Quantity::elevation},
 }};
 
 const KeyInfo& info(SpecKey key) {
     return *std::ranges::find(known_keys, key, &KeyInfo::key);
 }
 
-char letter(SourceType type) {
-    switch (type) {
-        case SourceType::rectangle:
-            return 'r';
-        case SourceType::a:
-            return 'A';
-        case SourceType::b:
-            return 'B';
-        case SourceType::c:
-            return 'C';
-        default:
-            return 'p';
-    }
-}
-
-bool takes_points(SourceType type) {
-    return type == SourceType::polygon || type == SourceType::slip_surface;
-}
-
 std::string keys_of(SourceType type) {
-    if (takes_points(type)) return "source.points";
-    std::string list;
+    std::string list = takes_points(type) ? points_key : "";
     for (const KeyInfo& k : known_keys)
-        if (k.types.find(letter(type)) != std::string_view::npos)
-            list += fmt::format("{}{}", list.empty() ? "" : ", ", k.name);
+        if (uses(type, k.key)) list += fmt::format("{}{}", list.empty() ? "" : ", ", k.name);
     return list;
 }
 
@@ -102,26 +81,37 @@ void check_points(const SourceSpec& spec) {
     const std::string type = to_string(spec.type);
     if (!takes_points(spec.type)) {
         if (!spec.points.empty())
-            refuse(spec, "source.points", "is not used by a source of type " + type,
+            refuse(spec, points_key, "is not used by a source of type " + type,
                    fmt::format("leave it out; this type takes {}", keys_of(spec.type)));
         return;
     }
-    const std::size_t least = spec.type == SourceType::polygon ? 3 : 2;
+    const std::size_t least = row_of(spec.type).fewest_points;
     if (spec.points.size() < least)
-        refuse(spec, "source.points", fmt::format("has {} points", spec.points.size()),
+        refuse(spec, points_key, fmt::format("has {} points", spec.points.size()),
                fmt::format("a {} needs at least {} of [chainage, elevation]", type, least));
     for (const Vec2& p : spec.points)
         if (!p.allFinite() || p.cwiseAbs().maxCoeff() > greatest_size)
-            refuse(spec, "source.points", "has a coordinate that is not finite or beyond 1e8 m",
+            refuse(spec, points_key, "has a coordinate that is not finite or beyond 1e8 m",
                    "give metres, such as [12.5, 3.0]");
 }
 
 }  // namespace
 
+std::vector<SourceType> types_using(std::string_view key) {
+    const auto known = std::ranges::find(known_keys, key, &KeyInfo::name);
+    std::vector<SourceType> types;
+    for (const auto& row : source_types()) {
+        const bool used = known == known_keys.end() ? key == points_key && takes_points(row.type)
+                                                    : uses(row.type, known->key);
+        if (used) types.push_back(row.type);
+    }
+    return types;
+}
+
 void check_spec(const SourceSpec& spec) {
     for (const KeyInfo& k : known_keys) {
         if (!given(spec.*k.key)) continue;
-        if (k.types.find(letter(spec.type)) == std::string_view::npos)
+        if (!uses(spec.type, k.key))
             refuse(spec, k.key, "is not used by a source of type " + to_string(spec.type),
                    fmt::format("leave it out; this type takes {}", keys_of(spec.type)));
         check_range(spec, k);
@@ -144,7 +134,7 @@ double required(const SourceSpec& spec, SpecKey key, const std::string& valid) {
 
 void refuse(const SourceSpec& spec, SpecKey key, const std::string& problem, const std::string& valid) {
     const KeyInfo& k = info(key);
-    throw InputError(place_of(spec, k.name, as_written(spec, k)), problem, valid);
+    throw InputError(place_of(spec, std::string(k.name), as_written(spec, k)), problem, valid);
 }
 
 void refuse(const SourceSpec& spec, const std::string& key, const std::string& problem,

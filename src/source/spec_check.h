@@ -2,17 +2,20 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "source/source.h"
+#include "source/source_types.h"
 
 namespace runout {
-
-/// A number of the SourceSpec that a case file may give.
-using SpecKey = double SourceSpec::*;
 
 inline bool given(double value) {
     return !std::isnan(value);
 }
+
+/// The types that use this key of a case file ("source.area_m2"), in their order; none where the key is not
+/// one that hangs on the type.
+std::vector<SourceType> types_using(std::string_view key);
 
 /// Throws InputError: a key that the type does not use, a number outside its range, points where none belong
 /// or none where they do, a scarp not steeper than the base.

@@ -128,7 +128,7 @@ GroundPoint where_base_goes_in(const Profile& profile, const SourceSpec& spec, c
             to_string(spec.type), shown(profile, given_at), figure(degrees(spec.base_angle))),
         steep ? fmt::format("put P at the foot of the steep part, {}: give section.toe_chainage_m = {}, or "
                             "source.drop_height_m = {} with source.drop_height_datum = base",
-                            shown(profile, foot), figure(profile.to_section(foot).x()), figure(foot.y()))
+                            shown(profile, foot), figure(profile.chainage_at(foot.x()).m), figure(foot.y()))
               : "give a flatter source.base_angle_deg");
 }
 

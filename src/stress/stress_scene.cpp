@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "core/units.h"
 #include "scene/rest_check.h"
@@ -133,9 +134,12 @@ SourceSpec source_of(const StressPoint& p, SourceKind kind) {
             return block(0, 0, size / std::sqrt(p.aspect_ratio), size * std::sqrt(p.aspect_ratio));
         case SourceKind::falling_block:
             return block(2 * size, p.drop_height_ratio * size, size, size);
-        default:
+        case SourceKind::b:
             return dipping(p, SourceType::b, dip);
+        case SourceKind::count:
+            break;
     }
+    throw std::logic_error("no kind of source");
 }
 
 }  // namespace
@@ -159,8 +163,8 @@ Scene stress_scene(const StressPoint& p, const std::string& name) {
     SourceSpec spec = source_of(p, kind);
     for (Vec2& corner : spec.points) corner = in_section(corner);
     ProfileOptions options;
-    options.toe_chainage_m = p.offset_m;
-    options.crest_chainage_m = in_section(ground_of(hillside)[1]).x();
+    options.toe_chainage = Chainage(p.offset_m);
+    options.crest_chainage = Chainage(in_section(ground_of(hillside)[1]).x());
 
     Scene scene;
     scene.name = name;

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "validation/columns.h"
 #include "validation/columns_pressure.h"
 #include "validation/data_file.h"
 #include "validation/profile_misfit.h"
+#include "validation/suite_cases.h"
 
 namespace runout {
 namespace {

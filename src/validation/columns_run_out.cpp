@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "core/units.h"
-#include "validation/columns.h"
 #include "validation/columns_laws.h"
 #include "validation/data_file.h"
 #include "validation/discontinuity.h"
+#include "validation/suite_cases.h"
 
 namespace runout {
 namespace run_out_columns {

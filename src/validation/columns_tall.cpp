@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/units.h"
-#include "validation/columns.h"
 #include "validation/columns_laws.h"
 #include "validation/profile_misfit.h"
+#include "validation/suite_cases.h"
 
 namespace runout {
 namespace {

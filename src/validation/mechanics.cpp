@@ -1,5 +1,3 @@
-#include "validation/mechanics.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "core/units.h"
 #include "validation/data_file.h"
+#include "validation/suite_cases.h"
 
 namespace runout {
 namespace {

@@ -1,10 +1,9 @@
-#include "validation/numerics.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "validation/numerics_checks.h"
+#include "validation/suite_cases.h"
 
 namespace runout {
 namespace numerics {
@@ -21,15 +20,15 @@ double Refinement::order() const {
     return (count * xy - x * y) / (count * xx - x * x);
 }
 
-ValidationEntry exact(std::string quantity, double reference, double computed, DeviationKind kind,
-                      double accepted, std::string resolution, std::string remark) {
+ValidationEntry exact(std::string quantity, const Comparison& comparison, std::string resolution,
+                      std::string remark) {
     ValidationEntry entry;
     entry.quantity = std::move(quantity);
     entry.held_to = "exact";
-    entry.reference = reference;
-    entry.computed = computed;
-    entry.kind = kind;
-    entry.accepted = accepted;
+    entry.reference = comparison.reference;
+    entry.computed = comparison.computed;
+    entry.kind = comparison.kind;
+    entry.accepted = comparison.accepted;
     entry.resolution = std::move(resolution);
     entry.remark = std::move(remark);
     return entry;
@@ -37,7 +36,7 @@ ValidationEntry exact(std::string quantity, double reference, double computed, D
 
 ValidationEntry error_entry(std::string quantity, double computed, double accepted, std::string resolution,
                             std::string remark) {
-    return exact(std::move(quantity), ValidationEntry::none, computed, DeviationKind::at_most, accepted,
+    return exact(std::move(quantity), {ValidationEntry::none, computed, DeviationKind::at_most, accepted},
                  std::move(resolution), std::move(remark));
 }
 
@@ -53,8 +52,8 @@ void add_order(CaseReport& report, const Refinement& refinement, double theory, 
                const std::string& remark) {
     const double coarse = refinement.errors.front().x();
     const double fine = refinement.errors.back().x();
-    report.entries.push_back(exact(refinement.label + ", observed order", theory, refinement.order(),
-                                   DeviationKind::absolute, accepted,
+    report.entries.push_back(exact(refinement.label + ", observed order",
+                                   {theory, refinement.order(), DeviationKind::absolute, accepted},
                                    fmt::format("L/dl = {:.0f} to {:.0f}", 1 / coarse, 1 / fine), remark));
     add_errors(report, refinement);
 }

@@ -22,9 +22,17 @@ void add_errors(CaseReport& report, const Refinement& refinement, const std::str
 void add_order(CaseReport& report, const Refinement& refinement, double theory, double accepted,
                const std::string& remark = {});
 
+/// A computed number beside the one it is held to.
+struct Comparison {
+    double reference;
+    double computed;
+    DeviationKind kind;
+    double accepted;  ///< greatest |deviation|; NaN: reported
+};
+
 /// Entry that is held to an exact number.
-ValidationEntry exact(std::string quantity, double reference, double computed, DeviationKind kind,
-                      double accepted, std::string resolution, std::string remark = {});
+ValidationEntry exact(std::string quantity, const Comparison& comparison, std::string resolution,
+                      std::string remark = {});
 /// Entry for an error that must not exceed `accepted`; NaN: reported.
 ValidationEntry error_entry(std::string quantity, double computed, double accepted, std::string resolution,
                             std::string remark = {});

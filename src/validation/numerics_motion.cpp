@@ -98,13 +98,13 @@ void add_drop(CaseReport& report, const DropRun& run, const std::string& lattice
     const std::string resolution = fmt::format("R/dl = {}, h = 1.3 dl", run.cells);
     const double a = run.a.back().y(), b = run.b.back().y();
     report.entries.push_back(
-        exact(name + "long semi-axis / R", run.exact_a.back().y(), a, relative, 0.015, resolution));
+        exact(name + "long semi-axis / R", {run.exact_a.back().y(), a, relative, 0.015}, resolution));
     report.entries.push_back(
-        exact(name + "short semi-axis / R", run.exact_b.back().y(), b, relative, 0.03, resolution));
+        exact(name + "short semi-axis / R", {run.exact_b.back().y(), b, relative, 0.03}, resolution));
     report.entries.push_back(
-        exact(name + "area from the semi-axes, over the start", 1.0, a * b, relative, 0.03, resolution));
+        exact(name + "area from the semi-axes, over the start", {1.0, a * b, relative, 0.03}, resolution));
     report.entries.push_back(
-        exact(name + "kinetic energy, over the start", 1.0, run.energy, relative, 0.01, resolution));
+        exact(name + "kinetic energy, over the start", {1.0, run.energy, relative, 0.01}, resolution));
 }
 
 Curve curve_of(std::string label, Curve::Style style, const std::vector<Vec2>& points) {

@@ -129,18 +129,19 @@ void check_kernel(CaseReport& report) {
     const WendlandKernel kernel(1.0);
     const Discretisation d = make_discretisation(0.01, 1.3, density);
     const auto absolute = DeviationKind::absolute;
-    report.entries.push_back(exact("kernel, integral over the plane", 1.0,
-                                   integral([&](double r) { return kernel.value(r); }), absolute, 1e-7,
+    report.entries.push_back(exact("kernel, integral over the plane",
+                                   {1.0, integral([&](double r) { return kernel.value(r); }), absolute, 1e-7},
                                    "midpoint rule, 20,000 rings"));
     // The mean of x^2 over a ring is r^2 / 2.
-    report.entries.push_back(exact("kernel gradient, first moment: integral of -x dW/dx", 1.0,
-                                   integral([&](double r) { return -0.5 * r * r * kernel.slope(r); }),
-                                   absolute, 1e-7, "midpoint rule, 20,000 rings"));
-    report.entries.push_back(exact("kernel, sum over the square lattice", 1.0105, d.lattice_sum * d.volume(),
-                                   absolute, 5e-5, "h = 1.3 dl",
+    report.entries.push_back(
+        exact("kernel gradient, first moment: integral of -x dW/dx",
+              {1.0, integral([&](double r) { return -0.5 * r * r * kernel.slope(r); }), absolute, 1e-7},
+              "midpoint rule, 20,000 rings"));
+    report.entries.push_back(exact("kernel, sum over the square lattice",
+                                   {1.0105, d.lattice_sum * d.volume(), absolute, 5e-5}, "h = 1.3 dl",
                                    "reference: src/engine/README.md; densities are scaled by it"));
-    report.entries.push_back(exact("kernel gradient, first moment over the square lattice", 1.0,
-                                   lattice_moment(d), absolute, ValidationEntry::none, "h = 1.3 dl",
+    report.entries.push_back(exact("kernel gradient, first moment over the square lattice",
+                                   {1.0, lattice_moment(d), absolute, ValidationEntry::none}, "h = 1.3 dl",
                                    "what the plain gradient is too large by at any spacing"));
 }
 

@@ -102,8 +102,8 @@ double projection_error(int cells, int count) {
 
 void check_pressure(CaseReport& report, bool quick) {
     const double ratio = laplacian_ratio(make_discretisation(0.01, 1.3, density));
-    report.entries.push_back(exact("divergence of the gradient over the Laplacian of eq. 5, long waves", 1.0,
-                                   ratio, DeviationKind::absolute, 0.02, "h = 1.3 dl",
+    report.entries.push_back(exact("divergence of the gradient over the Laplacian of eq. 5, long waves",
+                                   {1.0, ratio, DeviationKind::absolute, 0.02}, "h = 1.3 dl",
                                    "eta = 0.1 h; the incremental projection works it off"));
     const std::vector<int> resolutions =
         quick ? std::vector<int>{20, 40, 80} : std::vector<int>{20, 40, 80, 160};

@@ -93,10 +93,11 @@ void add_rate(CaseReport& report, FrictionScheme scheme, double inertial_number)
     const std::string name =
         fmt::format("shear, {}, I = {}: ", projected ? "projected" : "explicit", inertial_number);
     const std::string resolution = fmt::format("L/dl = {}", cells);
-    report.entries.push_back(exact(name + "shear stress over p sin(phi)", 1.0, -stress.sxy,
-                                   DeviationKind::absolute, 1e-3, resolution));
-    report.entries.push_back(exact(name + "normal stress sxx over p sin(phi)", 0.0, stress.sxx,
-                                   DeviationKind::absolute, projected ? 0.01 : 1e-5, resolution));
+    report.entries.push_back(exact(name + "shear stress over p sin(phi)",
+                                   {1.0, -stress.sxy, DeviationKind::absolute, 1e-3}, resolution));
+    report.entries.push_back(exact(name + "normal stress sxx over p sin(phi)",
+                                   {0.0, stress.sxx, DeviationKind::absolute, projected ? 0.01 : 1e-5},
+                                   resolution));
 }
 
 /// The projected scheme at the longest step that a run takes.
@@ -112,10 +113,10 @@ void add_longest_step(CaseReport& report) {
     const ShearStress stress = block.stress();
     const std::string name = "shear, projected, I = 0.01, longest step: ";
     const std::string resolution = fmt::format("L/dl = {}", cells);
-    report.entries.push_back(exact(name + "shear stress over p sin(phi)", 1.0, -stress.sxy,
-                                   DeviationKind::absolute, 0.01, resolution));
-    report.entries.push_back(exact(name + "normal stress sxx over p sin(phi)", 0.0, stress.sxx,
-                                   DeviationKind::absolute, 0.06, resolution,
+    report.entries.push_back(exact(name + "shear stress over p sin(phi)",
+                                   {1.0, -stress.sxy, DeviationKind::absolute, 0.01}, resolution));
+    report.entries.push_back(exact(name + "normal stress sxx over p sin(phi)",
+                                   {0.0, stress.sxx, DeviationKind::absolute, 0.06}, resolution,
                                    "the principal axes turn with the soil in a step"));
     report.entries.push_back(error_entry(name + "shear strain from no stress to 99 % of yield",
                                          strain_at_yield, ValidationEntry::none, resolution));

@@ -1,10 +1,9 @@
-#include "validation/poured_heap.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "core/units.h"
+#include "validation/suite_cases.h"
 
 namespace runout {
 namespace {

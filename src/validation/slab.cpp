@@ -1,11 +1,10 @@
-#include "validation/slab.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/units.h"
+#include "validation/suite_cases.h"
 
 namespace runout {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/units.h"
-#include "validation/slopes.h"
 #include "validation/slopes_arrival.h"
 #include "validation/slopes_shared.h"
+#include "validation/suite_cases.h"
 
 namespace runout {
 namespace {

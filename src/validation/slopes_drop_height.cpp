@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "core/units.h"
-#include "validation/slopes.h"
 #include "validation/slopes_shared.h"
+#include "validation/suite_cases.h"
 
 namespace runout {
 namespace slopes {

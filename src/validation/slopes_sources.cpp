@@ -1,13 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
 
 #include "core/units.h"
-#include "validation/slopes.h"
+#include "source/source.h"
 #include "validation/slopes_chart.h"
 #include "validation/slopes_discontinuity.h"
 #include "validation/slopes_shared.h"
+#include "validation/suite_cases.h"
 
 namespace runout {
 namespace {
@@ -34,7 +39,7 @@ constexpr Condition low{"60deg", 60, 1.0, DropDatum::base, 2.0, true};
 constexpr Condition low_head{"60deg-head", 60, 1.0, DropDatum::head, 1.33, false};
 
 struct IdealisedSource {
-    char type;
+    SourceType type;
     double base_deg;
     double aspect = 0;  ///< of type A
 };
@@ -45,15 +50,15 @@ std::vector<Condition> conditions(bool quick) {
 }
 
 std::vector<IdealisedSource> sources(const Condition& condition, bool quick) {
-    if (quick) return {{'B', 35}, {'C', 35}};
+    if (quick) return {{SourceType::b, 35}, {SourceType::c, 35}};
     std::vector<IdealisedSource> all;
     for (const double base : {35.0, 45.0})
         for (const double aspect : {1.0, 2.0, 3.0}) {
             const bool below_toe = !condition.wedges && base == 45.0 && aspect == 3.0;
-            if (!below_toe) all.push_back({'A', base, aspect});
+            if (!below_toe) all.push_back({SourceType::a, base, aspect});
         }
     if (condition.wedges)
-        for (const char type : {'B', 'C'})
+        for (const SourceType type : {SourceType::b, SourceType::c})
             for (const double base : {35.0, 45.0}) all.push_back({type, base});
     return all;
 }
@@ -67,30 +72,29 @@ std::string at_resolution(bool quick) {
 }
 
 std::string label_of(const IdealisedSource& s) {
-    return s.type == 'A' ? fmt::format("A, base {:g} deg, L0/H0 = {:g}", s.base_deg, s.aspect)
-                         : fmt::format("{}, base {:g} deg", s.type, s.base_deg);
+    return s.type == SourceType::a ? fmt::format("A, base {:g} deg, L0/H0 = {:g}", s.base_deg, s.aspect)
+                                   : fmt::format("{}, base {:g} deg", to_string(s.type), s.base_deg);
 }
 
 std::string id_of(const Condition& condition, const IdealisedSource& s) {
-    const std::string shape = s.type == 'A' ? fmt::format("-{:g}", s.aspect) : "";
-    return fmt::format("{}-{}{:g}{}", condition.id, s.type, s.base_deg, shape);
+    const std::string shape = s.type == SourceType::a ? fmt::format("-{:g}", s.aspect) : "";
+    return fmt::format("{}-{}{:g}{}", condition.id, to_string(s.type), s.base_deg, shape);
 }
 
 std::string rectangle_id(const Condition& condition) {
     return fmt::format("{}-rectangle", condition.id);
 }
 
-std::string file_of(char type) {
-    switch (type) {
-        case 'A':
-            return "idealised-sources/type-a.toml";
-        case 'B':
-            return "idealised-sources/type-b.toml";
-        case 'C':
-            return "idealised-sources/type-c.toml";
-        default:
-            return "idealised-sources/rectangle.toml";
-    }
+std::string file_of(SourceType type) {
+    constexpr std::array<std::pair<SourceType, const char*>, 4> files = {{
+        {SourceType::rectangle, "rectangle"},
+        {SourceType::a, "type-a"},
+        {SourceType::b, "type-b"},
+        {SourceType::c, "type-c"},
+    }};
+    for (const auto& [of, name] : files)
+        if (of == type) return fmt::format("idealised-sources/{}.toml", name);
+    throw std::logic_error("no idealised source of type " + to_string(type));
 }
 
 Settings place_of(const Condition& condition) {
@@ -101,23 +105,24 @@ Settings place_of(const Condition& condition) {
 
 Settings settings_of(const Condition& condition, const IdealisedSource& s) {
     Settings set = place_of(condition);
-    if (s.type == 'C')  // its height follows from the crest, which the section puts where it must be
+    if (s.type ==
+        SourceType::c)  // its height follows from the crest, which the section puts where it must be
         set = {{"section.file", fmt::format("crest-{:g}.csv", condition.slope_deg)},
                {"source.drop_height_datum", condition.datum == DropDatum::head ? "head" : "base"}};
     set.emplace_back("source.base_angle_deg", text_of(s.base_deg));
-    if (s.type == 'A') set.emplace_back("source.aspect_ratio", text_of(s.aspect));
+    if (s.type == SourceType::a) set.emplace_back("source.aspect_ratio", text_of(s.aspect));
     return set;
 }
 
 std::vector<PlannedRun> plan(bool quick) {
     std::vector<PlannedRun> runs;
-    const auto add = [&](const std::string& id, char type, const Settings& set) {
+    const auto add = [&](const std::string& id, SourceType type, const Settings& set) {
         plan_ensemble(runs, id, file_of(type), set, "run.resolution", resolution(quick));
     };
     for (const Condition& condition : conditions(quick)) {
         Settings rectangle = place_of(condition);
         rectangle.emplace_back("source.aspect_ratio", text_of(condition.rectangle_aspect));
-        add(rectangle_id(condition), 'R', rectangle);
+        add(rectangle_id(condition), SourceType::rectangle, rectangle);
         for (const IdealisedSource& s : sources(condition, quick))
             add(id_of(condition, s), s.type, settings_of(condition, s));
     }
@@ -143,10 +148,10 @@ std::vector<Outcome> outcomes(const CaseRuns& runs, const Condition& condition, 
     return all;
 }
 
-std::vector<Vec2> points_of(const std::vector<Outcome>& all, char type = 0) {
+std::vector<Vec2> points_of(const std::vector<Outcome>& all, std::optional<SourceType> type = std::nullopt) {
     std::vector<Vec2> points;
     for (const Outcome& o : all)
-        if (type == 0 || o.source.type == type) points.emplace_back(o.front_share, o.run_out.mean);
+        if (!type || o.source.type == *type) points.emplace_back(o.front_share, o.run_out.mean);
     return points;
 }
 
@@ -169,7 +174,7 @@ void add_bound(CaseReport& report, const Condition& condition, const std::vector
 std::string other_choices(const std::vector<Outcome>& all) {
     std::vector<Vec2> contiguous;
     for (const Outcome& o : all) contiguous.emplace_back(o.front_share, o.contiguous);
-    const auto type_a = points_of(all, 'A');
+    const auto type_a = points_of(all, SourceType::a);
     std::string text =
         fmt::format("with the contiguous front by top {:.2f}", 1.0 - fit_quadratic(contiguous).r_squared);
     if (type_a.size() < all.size())
@@ -211,10 +216,10 @@ Figure curve_figure(const Condition& condition, const std::vector<Outcome>& all,
                   {},
                   false,
                   false};
-    for (const char type : {'A', 'B', 'C'}) {
+    for (const SourceType type : {SourceType::a, SourceType::b, SourceType::c}) {
         const auto points = points_of(all, type);
         if (!points.empty())
-            figure.curves.push_back({fmt::format("type {}", type), Curve::Style::markers, points});
+            figure.curves.push_back({"type " + to_string(type), Curve::Style::markers, points});
     }
     const auto points = points_of(all);
     const auto [least, most] = std::ranges::minmax(points, {}, [](const Vec2& p) { return p.x(); });
@@ -232,8 +237,8 @@ Figure curve_figure(const Condition& condition, const std::vector<Outcome>& all,
     return figure;
 }
 
-double toe_of(const Condition& condition, char type) {
-    if (type != 'C') return chute_toe(condition.slope_deg);
+double toe_of(const Condition& condition, SourceType type) {
+    if (type != SourceType::c) return chute_toe(condition.slope_deg);
     const double height =
         std::sqrt(area) * condition.height + (condition.datum == DropDatum::head ? 0.0 : 0.15);
     return 0.3 + height / std::tan(radians(condition.slope_deg));  // crest-NN.csv
@@ -250,7 +255,8 @@ Figure profiles_figure(const CaseRuns& runs, const Condition& condition, bool qu
     figure.curves.push_back(surface_curve(runs, lattices_of(rectangle_id(condition)).front(),
                                           chute_toe(condition.slope_deg), "rectangle", Curve::Style::dashed));
     for (const IdealisedSource& s : sources(condition, quick)) {
-        const bool drawn = s.base_deg == 35.0 && (s.type != 'A' || s.aspect == 2.0);  // else a thicket
+        const bool drawn =
+            s.base_deg == 35.0 && (s.type != SourceType::a || s.aspect == 2.0);  // else a thicket
         if (drawn)
             figure.curves.push_back(surface_curve(runs, lattices_of(id_of(condition, s)).front(),
                                                   toe_of(condition, s.type), label_of(s)));

@@ -2,12 +2,7 @@
 
 #include <array>
 
-#include "validation/columns.h"
-#include "validation/mechanics.h"
-#include "validation/numerics.h"
-#include "validation/poured_heap.h"
-#include "validation/slab.h"
-#include "validation/slopes.h"
+#include "validation/suite_cases.h"
 
 namespace runout {
 

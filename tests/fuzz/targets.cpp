@@ -13,7 +13,7 @@
 #include "profile/section_file.h"
 #include "scene/case_file.h"
 #include "scene/case_spec.h"
-#include "source/source.h"
+#include "source/source_types.h"
 
 namespace runout::fuzz {
 namespace {
@@ -54,7 +54,7 @@ std::vector<Vec2> points_from(Numbers& numbers, std::size_t count, bool forwards
 
 SourceSpec spec_from(Numbers& numbers) {
     SourceSpec spec;
-    spec.type = static_cast<SourceType>(numbers.byte() % 6);
+    spec.type = source_types()[numbers.byte() % source_types().size()].type;
     const std::uint8_t given = numbers.byte();
     const auto set = [&](int bit, double SourceSpec::*key, double value) {
         if ((given >> bit & 1) != 0) spec.*key = value;
@@ -68,7 +68,7 @@ SourceSpec spec_from(Numbers& numbers) {
     set(6, &SourceSpec::aspect, numbers.size());
     set(7, &SourceSpec::drop_height, numbers.number());
     if (numbers.byte() % 2 == 1) spec.datum = DropDatum::base;
-    if (spec.type == SourceType::polygon || spec.type == SourceType::slip_surface)
+    if (takes_points(spec.type))
         spec.points = points_from(numbers, numbers.byte() % 12, spec.type == SourceType::slip_surface);
     return spec;
 }
@@ -125,8 +125,8 @@ void derive_any_source(std::span<const std::uint8_t> bytes) {
         const std::vector<Vec2> points = points_from(numbers, 2 + numbers.byte() % 10, true);
         ProfileOptions options;
         const std::uint8_t given = numbers.byte();
-        if (given % 4 == 1) options.toe_chainage_m = numbers.number();
-        if (given % 8 == 3) options.crest_chainage_m = numbers.number();
+        if (given % 4 == 1) options.toe_chainage = Chainage(numbers.number());
+        if (given % 8 == 3) options.crest_chainage = Chainage(numbers.number());
         const Profile profile = make_profile({points, {}, "fuzz"}, options);
         check(profile);
         check(derive_source(profile, spec_from(numbers)));

@@ -244,10 +244,10 @@ TEST_F(Shapes, HaveTheSameCrestWhenTheirToeIsGivenAndTheOtherWayRound) {
             }
             const Profile found = profile_of(points);
             ProfileOptions toe;
-            toe.toe_chainage_m = found.toe_chainage_m;
+            toe.toe_chainage = Chainage(found.toe_chainage_m);
             EXPECT_NEAR(crest_chainage(profile_of(points, toe)), crest_chainage(found), 0.05) << shape.name;
             ProfileOptions crest;
-            crest.crest_chainage_m = crest_chainage(found);
+            crest.crest_chainage = Chainage(crest_chainage(found));
             EXPECT_NEAR(profile_of(points, crest).toe_chainage_m, found.toe_chainage_m, 0.05) << shape.name;
         }
 }
@@ -282,7 +282,7 @@ TEST(ChoiceOfFace, OfTwoCutsOneAboveTheOtherOneIsChosenAndTheOtherNamed) {
     EXPECT_EQ(p.toe_chainage_m, 29);  // similar ones: the upper, whose run-out is the longer
     EXPECT_TRUE(says(p, "section.toe_chainage_m = 68"));
     ProfileOptions lower;
-    lower.toe_chainage_m = 68;
+    lower.toe_chainage = Chainage(68);
     const Profile q = profile_of({{0, 60}, {20, 60}, {29, 45}, {60, 44}, {68, 30}, {160, 30}}, lower);
     EXPECT_EQ(crest_chainage(q), 60);
     EXPECT_TRUE(q.toe_given);
@@ -296,8 +296,8 @@ TEST(ChoiceOfFace, OfTheTwoSidesOfAValleyTheHeavierIsChosenAndTheOtherNamed) {
     EXPECT_EQ(p.toe_chainage_m, 32);
     EXPECT_TRUE(says(p, "section.toe_chainage_m = 60"));
     ProfileOptions other;
-    other.crest_chainage_m = 85;
-    other.toe_chainage_m = 60;
+    other.crest_chainage = Chainage(85);
+    other.toe_chainage = Chainage(60);
     EXPECT_FALSE(profile_of(valley, other).descends_with_chainage);
 }
 
@@ -362,25 +362,25 @@ TEST(ChoiceOfFace, ATurnedHillIsRefusedWhenBothSidesAreTheSame) {
 
 TEST(GivenChainage, MeansTheCornerThatItMissesByAReadingError) {
     ProfileOptions options;
-    options.toe_chainage_m = 36;
-    options.crest_chainage_m = 24.97;
+    options.toe_chainage = Chainage(36);
+    options.crest_chainage = Chainage(24.97);
     const Profile p = profile_of({{0, 32}, {25, 32}, {35.99, 12}, {150, 12}}, options);
     EXPECT_EQ(p.toe_chainage_m, 35.99);
     EXPECT_EQ(crest_chainage(p), 25);
     EXPECT_EQ(p.ground.size(), 4u);
-    options.toe_chainage_m = 36.1;
+    options.toe_chainage = Chainage(36.1);
     EXPECT_EQ(profile_of({{0, 32}, {25, 32}, {35.99, 12}, {150, 12}}, options).toe_chainage_m, 36.1);
 }
 
 TEST(GivenChainage, OnAModelInTheLaboratoryIsReadMoreClosely) {
     ProfileOptions options;
-    options.toe_chainage_m = 0.41;
+    options.toe_chainage = Chainage(0.41);
     EXPECT_EQ(profile_of({{0, 0.4}, {0.4, 0}, {1.9, 0}}, options).toe_chainage_m, 0.41);
 }
 
 TEST(GivenChainage, FarBeyondTheFootOfTheFaceIsTakenWithAWarning) {
     ProfileOptions options;
-    options.toe_chainage_m = 55;
+    options.toe_chainage = Chainage(55);
     const Profile p = profile_of({{0, 32}, {30, 32}, {41.547, 12}, {201, 12}}, options);
     EXPECT_EQ(p.toe_chainage_m, 55);
     EXPECT_EQ(crest_chainage(p), 30);

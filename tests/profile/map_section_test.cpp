@@ -116,7 +116,7 @@ TEST_F(MapFiles, AttributesMayNameToeAndCrest) {
     EXPECT_EQ(profile.toe_chainage_m, 90.5);
     EXPECT_NEAR(profile.to_section(profile.ground[profile.crest]).x(), 40, 1e-9);
     ProfileOptions options;
-    options.toe_chainage_m = 120;
+    options.toe_chainage = Chainage(120);
     EXPECT_EQ(read_map_section(section, options).toe_chainage_m, 120) << "what the user says comes first";
 }
 

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <concepts>
 #include <filesystem>
+#include <type_traits>
 
 #include "core/units.h"
 #include "profile/read_section_table.h"
@@ -19,7 +21,36 @@ Profile profile_of(const std::vector<Vec2>& points, const ProfileOptions& option
 
 const std::vector<Vec2> cut{{0, 32}, {30, 32}, {41.5, 12}, {200, 12}};
 
-// ---- the local frame
+// ---- chainages and the local frame
+
+template <class Point>
+concept PlacedByAProfile = requires(const Profile& profile, const Point& point) {
+    profile.to_local(point);
+};
+template <class A, class B>
+concept Added = requires(const A& a, const B& b) {
+    a + b;
+};
+template <class A, class B>
+concept Compared = requires(const A& a, const B& b) {
+    a < b;
+};
+
+// A chainage is no x, and a point of the file is no point of the local frame: only a profile turns one into
+// the other.
+static_assert(!std::is_convertible_v<double, Chainage> && !std::is_convertible_v<Chainage, double>);
+static_assert(!std::is_assignable_v<double&, Chainage> && !std::is_assignable_v<Chainage&, double>);
+static_assert(!Added<Chainage, double> && !Added<Chainage, Chainage> && !Compared<Chainage, double>);
+static_assert(!std::is_constructible_v<SectionPoint, Vec2> && !std::is_constructible_v<Vec2, SectionPoint>);
+static_assert(PlacedByAProfile<SectionPoint> && !PlacedByAProfile<Vec2>);
+
+TEST(Chainage, ComparesAndHasDifferencesInMetres) {
+    EXPECT_EQ(Chainage(41.5) - Chainage(40), 1.5);
+    EXPECT_LT(Chainage(40), Chainage(41.5));
+    const Chainage unknown;
+    EXPECT_FALSE(unknown.is_known());
+    EXPECT_FALSE(unknown < Chainage(0) || unknown > Chainage(0) || unknown == unknown);
+}
 
 TEST(Profile, PutsTheToeAtTheOriginAndRunsOutTowardsPlusX) {
     const Profile p = profile_of(cut);
@@ -41,11 +72,11 @@ TEST(Profile, MirroredSectionHasTheSameLocalGroundToTheBit) {
     std::vector<Vec2> mirrored;
     for (auto p = section.rbegin(); p != section.rend(); ++p) mirrored.emplace_back(-p->x(), p->y());
     ProfileOptions inserted;
-    inserted.toe_chainage_m = 20.3;
-    inserted.crest_chainage_m = 5.1;
+    inserted.toe_chainage = Chainage(20.3);
+    inserted.crest_chainage = Chainage(5.1);
     ProfileOptions inserted_mirrored;
-    inserted_mirrored.toe_chainage_m = -20.3;
-    inserted_mirrored.crest_chainage_m = -5.1;
+    inserted_mirrored.toe_chainage = Chainage(-20.3);
+    inserted_mirrored.crest_chainage = Chainage(-5.1);
 
     EXPECT_EQ(profile_of(section).ground, profile_of(mirrored).ground);
     const Profile a = profile_of(section, inserted);
@@ -56,7 +87,9 @@ TEST(Profile, MirroredSectionHasTheSameLocalGroundToTheBit) {
     EXPECT_TRUE(a.descends_with_chainage);
     EXPECT_FALSE(b.descends_with_chainage);
     EXPECT_EQ(a.to_section({2, 1}).x(), -b.to_section({2, 1}).x());
-    EXPECT_LT((b.to_local(b.to_section({2, 1})) - Vec2(2, 1)).norm(), 1e-14);
+    const Vec2 there = b.to_section({2, 1});
+    EXPECT_LT((b.to_local({there.x(), there.y()}) - Vec2(2, 1)).norm(), 1e-14);
+    EXPECT_EQ(b.chainage_at(2), Chainage(there.x()));
 }
 
 TEST(Profile, MapGridChainagesLoseNothing) {
@@ -111,8 +144,8 @@ TEST(Profile, FlatBedHasToeAndCrestAtItsUphillEnd) {
 
 TEST(Profile, GivenToeAndCrestReplaceTheSearchAndAreInserted) {
     ProfileOptions options;
-    options.crest_chainage_m = 10;
-    options.toe_chainage_m = 35.75;
+    options.crest_chainage = Chainage(10);
+    options.toe_chainage = Chainage(35.75);
     const Profile p = profile_of(cut, options);
     ASSERT_EQ(p.ground.size(), 6u);
     EXPECT_EQ(p.crest, 1u);
@@ -124,8 +157,8 @@ TEST(Profile, GivenToeAndCrestReplaceTheSearchAndAreInserted) {
 
 TEST(Profile, GivenToeAndCrestDecideTheDirection) {
     ProfileOptions options;
-    options.crest_chainage_m = 20;
-    options.toe_chainage_m = 10;
+    options.crest_chainage = Chainage(20);
+    options.toe_chainage = Chainage(10);
     const Profile p = profile_of({{0, 0}, {10, 0}, {20, 10}, {30, 10}, {60, -5}}, options);
     EXPECT_FALSE(p.descends_with_chainage);
     EXPECT_EQ(p.ground[p.crest], Vec2(-10, 10));
@@ -133,8 +166,8 @@ TEST(Profile, GivenToeAndCrestDecideTheDirection) {
 
 TEST(Profile, OnAVerticalFaceTheToeIsBelowAndTheCrestAbove) {
     ProfileOptions options;
-    options.crest_chainage_m = 39;
-    options.toe_chainage_m = 39;
+    options.crest_chainage = Chainage(39);
+    options.toe_chainage = Chainage(39);
     const Profile p = profile_of({{0, 32}, {30, 32}, {39, 16}, {39, 12}, {200, 12}}, options);
     EXPECT_EQ(p.ground[p.crest], Vec2(0, 4));
     EXPECT_EQ(p.ground[p.toe], Vec2(0, 0));
@@ -172,12 +205,12 @@ TEST(Profile, RefusesWhatIsNoSection) {
 
 TEST(Profile, RefusesToeOrCrestBesideTheSection) {
     ProfileOptions options;
-    options.toe_chainage_m = 201;
+    options.toe_chainage = Chainage(201);
     EXPECT_PRED2(contains, input_error([&] { profile_of(cut, options); }),
                  "section.csv: section.toe_chainage_m = 201: is not on the section; give a chainage between "
                  "0 and 200");
     options = {};
-    options.crest_chainage_m = -1;
+    options.crest_chainage = Chainage(-1);
     std::vector<Vec2> mirrored;
     for (auto p = cut.rbegin(); p != cut.rend(); ++p) mirrored.emplace_back(300 - p->x(), p->y());
     EXPECT_PRED2(contains, input_error([&] { profile_of(mirrored, options); }),

@@ -35,7 +35,7 @@ Scene scene_on(const MapLine& line, bool mirrored = false) {
         points = reversed;
     }
     ProfileOptions options;
-    options.toe_chainage_m = mirrored ? 50 : 30;
+    options.toe_chainage = Chainage(mirrored ? 50 : 30);
     scene.profile = make_profile({points, {}, "dem.tif along lines.gpkg"}, options);
     SourceSpec wedge;
     wedge.base_angle = radians(30);

@@ -31,13 +31,13 @@ std::string everything(const CaseSpec& c) {
     const SourceSpec& s = c.source;
     const RunSettings& r = c.run;
     const MapSection& m = c.section.map;
-    std::string text = fmt::format("{}|{}|{}|{}|", c.name, c.section.file, c.section.options.toe_chainage_m,
-                                   c.section.options.crest_chainage_m);
+    std::string text = fmt::format("{}|{}|{}|{}|", c.name, c.section.file, c.section.options.toe_chainage.m,
+                                   c.section.options.crest_chainage.m);
     const SectionFileOptions& f = c.section.format;
     text += fmt::format("{}|{}|{}|{}|{}|{}|{}|", f.columns, f.unit, f.decimal, f.dxf_layers,
                         f.landxml.alignment, f.landxml.station, f.landxml.surface);
     const LinePlacing& p = c.section.placing;
-    text += fmt::format("{}|{} {}|{}|{}|{}|{}|", p.crs, p.origin.x(), p.origin.y(), p.origin_chainage_m,
+    text += fmt::format("{}|{} {}|{}|{}|{}|{}|", p.crs, p.origin.x(), p.origin.y(), p.origin_chainage.m,
                         p.bearing, p.towards ? fmt::format("{} {}", p.towards->x(), p.towards->y()) : "",
                         m.zero_is_ground);
     text += fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|", m.raster, m.sampling_m, m.smoothing_m,

@@ -1,6 +1,7 @@
 // Every mistake in a case file is one sentence that names file, line, key, value and what is valid.
 
 #include "scene_fixture.h"
+#include "source/source_types.h"
 
 namespace runout {
 namespace {
@@ -151,8 +152,8 @@ TEST_F(SceneTest, TheTableAndTheGeometryAgreeOnTheKeysOfAType) {
     const Profile profile = make_site(sound_case()).profile;
     for (const Parameter& parameter : parameters()) {
         if (!parameter.key.starts_with("source.") || parameter.applies_to.empty()) continue;
-        for (const SourceType type : {SourceType::rectangle, SourceType::a, SourceType::b, SourceType::c,
-                                      SourceType::polygon, SourceType::slip_surface}) {
+        for (const SourceTypeRow& row : source_types()) {
+            const SourceType type = row.type;
             CaseSpec spec;
             override_value(spec, std::string(parameter.key), sample_text(parameter), "--set");
             spec.source.type = type;

@@ -221,7 +221,7 @@ TEST(TypeB, BaseThatRunsIntoABermIsRefused) {
 
 TEST(TypeB, OnLevelGroundSaysWhereItsBaseCouldBegin) {
     ProfileOptions options;
-    options.toe_chainage_m = 45;
+    options.toe_chainage = Chainage(45);
     const Profile profile =
         make_profile({{{0, 32}, {30, 32}, {41.547, 12}, {201, 12}}, {}, "section.csv"}, options);
     for (const double area : {SourceSpec::unset, 20.0}) {

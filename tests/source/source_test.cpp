@@ -1,5 +1,9 @@
 // Masses drawn freely, and what holds for sources of any type.
 
+#include <set>
+
+#include "source/source_types.h"
+#include "source/spec_check.h"
 #include "source_fixture.h"
 
 namespace runout {
@@ -239,6 +243,63 @@ TEST(AnySource, RefusesKeysItDoesNotUseAndValuesOutOfRange) {
     EXPECT_PRED2(contains, error_of(profile, spec), "source.discontinuity_angle_deg = 0: is out of range");
     EXPECT_PRED2(contains, error_of(profile_of({{0, 0}, {1, 0}}), type_b()),
                  "B needs a face, and the section section.csv has none");
+}
+
+// ---- the table of types
+
+/// The compiler complains here when the enumeration has a value that is not named, so that the test below can
+/// ask for the row of each.
+bool is_enumerated(SourceType type) {
+    switch (type) {
+        case SourceType::rectangle:
+        case SourceType::a:
+        case SourceType::b:
+        case SourceType::c:
+        case SourceType::polygon:
+        case SourceType::slip_surface:
+            return true;
+    }
+    return false;
+}
+
+TEST(SourceTypes, EachValueHasExactlyOneRow) {
+    std::set<std::string_view> names;
+    for (int value = -10; value < 100; ++value) {
+        const auto type = static_cast<SourceType>(value);
+        EXPECT_EQ(std::ranges::count(source_types(), type, &SourceTypeRow::type), is_enumerated(type) ? 1 : 0)
+            << value;
+    }
+    for (const SourceTypeRow& row : source_types()) {
+        EXPECT_TRUE(names.insert(row.name).second) << row.name;
+        EXPECT_EQ(source_type_named(row.name), row.type);
+        EXPECT_EQ(to_string(row.type), row.name);
+        EXPECT_NE(row.keys.empty(), row.fewest_points == 0) << row.name << " has sizes, or points";
+        EXPECT_TRUE(row.derive != nullptr);
+    }
+}
+
+TEST(SourceTypes, AValueOutsideTheTableIsAnErrorAndNoSlipSurface) {
+    const Profile profile = cut(face_angle, 0.4, 0.3, 1.5);
+    const auto unknown = static_cast<SourceType>(source_types().size());
+    for (SourceSpec spec :
+         {type_b(), SourceSpec{}, free_shape(SourceType::polygon, {{0, 0}, {0.1, 0}, {0, 0.1}})}) {
+        spec.type = unknown;
+        const std::string said = error_of(profile, spec);
+        EXPECT_TRUE(said.starts_with("source.type = ")) << said;
+        EXPECT_PRED2(contains, said,
+                     "is not a known type; known are rectangle, A, B, C, polygon, slip_surface");
+    }
+    EXPECT_PRED2(contains, input_error([&] { (void)to_string(unknown); }), "is not a known type");
+    EXPECT_PRED2(contains, input_error([] { source_type_named("slip surface"); }),
+                 "source.type = slip surface: is not a known type");
+}
+
+TEST(SourceTypes, SayWhichKeysTheyUse) {
+    using enum SourceType;
+    EXPECT_EQ(types_using("source.scarp_angle_deg"), (std::vector{b, c}));
+    EXPECT_EQ(types_using("source.length_m"), (std::vector{rectangle, a}));
+    EXPECT_EQ(types_using("source.points"), (std::vector{polygon, slip_surface}));
+    EXPECT_TRUE(types_using("source.type").empty());
 }
 
 TEST(AnySource, ErrorsNameFileAndLineWhenTheyAreKnown) {

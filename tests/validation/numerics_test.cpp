@@ -1,7 +1,5 @@
 // The validation case "numerics", its quick part: the numerical method against exact solutions.
 
-#include "validation/numerics.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <string>
 
 #include "temporary_folder.h"
+#include "validation/suite_cases.h"
 
 namespace runout {
 namespace {
