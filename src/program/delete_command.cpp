@@ -13,6 +13,7 @@
 #include "core/printable.h"
 #include "program/answer.h"
 #include "program/command.h"
+#include "program/common_options.h"
 #include "program/study_choice.h"
 #include "store/remove_runs.h"
 #include "store/store.h"
@@ -32,7 +33,7 @@ struct DeleteArguments {
 
 /// The instant that "90d" (w, d, h) lies back, or "2024-05-31" names, as ISO 8601.
 std::string instant_of(const std::string& text) {
-    const InputPlace place{.file = "--older-than", .line = 0, .key = {}, .value = text};
+    const InputPlace place = option_place("--older-than", text);
     static const std::regex age("([0-9]{1,6})([wdh])"),
         date("[0-9]{4}-[0-9]{2}-[0-9]{2}(T[0-9]{2}:[0-9]{2}:[0-9]{2}Z)?");
     std::smatch parts;
@@ -112,23 +113,23 @@ int delete_runs(const DeleteArguments& arguments) {
 
 }  // namespace
 
-void add_delete_command(CLI::App& app, Command& command) {
+void add_delete_command(CommandLine& program) {
     const auto arguments = std::make_shared<DeleteArguments>();
-    CLI::App* sub =
-        app.add_subcommand("delete", "Remove stored runs whole, after asking, and give their space back");
-    sub->add_option("DB", arguments->database, "Database of runs, such as runout.db")
-        ->required()
-        ->type_name("");
-    sub->add_option("--run", arguments->run_ids, "These runs; may be repeated")->type_name("ID");
-    sub->add_option("--study", arguments->study,
+    Command command =
+        program.add_command("delete", "Remove stored runs whole, after asking, and give their space back");
+    add_database_argument(command, arguments->database);
+    command.add_option("--run", &arguments->run_ids, "These runs; may be repeated").value_name("ID");
+    command
+        .add_option("--study", &arguments->study,
                     "A study with its runs, but those that another study has too")
-        ->type_name("NAME|ID");
-    sub->add_option(
-           "--older-than", arguments->older_than,
-           "Runs that ended longer ago: weeks, days or hours (8w, 90d, 12h), or before a date (2024-05-31)")
-        ->type_name("AGE|DATE");
-    sub->add_flag("--yes", arguments->yes, "Do not ask");
-    sub->callback([arguments, &command] { command = [arguments] { return delete_runs(*arguments); }; });
+        .value_name("NAME|ID");
+    command
+        .add_option(
+            "--older-than", &arguments->older_than,
+            "Runs that ended longer ago: weeks, days or hours (8w, 90d, 12h), or before a date (2024-05-31)")
+        .value_name("AGE|DATE");
+    command.add_flag("--yes", &arguments->yes, "Do not ask");
+    command.set_work([arguments] { return delete_runs(*arguments); });
 }
 
 }  // namespace runout

@@ -1,25 +1,24 @@
 #include "program/run_choice.h"
 
 #include "core/input_error.h"
+#include "program/common_options.h"
 
 namespace runout {
 
-void add_run_choice(CLI::App& subcommand, RunChoice& choice) {
-    subcommand.add_option("DB", choice.database, "Database of runs, such as runout.db")
-        ->required()
-        ->type_name("");
-    subcommand.add_option("--run", choice.run_id, "Number of the run; the last result if none is given")
-        ->type_name("ID");
+void add_run_choice(Command& command, RunChoice& choice) {
+    add_database_argument(command, choice.database);
+    command.add_option("--run", &choice.run_id, "Number of the run; the last result if none is given")
+        .value_name("ID");
 }
 
-void add_width_option(CLI::App& subcommand, double& width) {
-    subcommand
+void add_width_option(Command& command, double& width) {
+    command
         .add_option(
-            "--width", width,
+            "--width", &width,
             "Width of the slide across the section: area times width is the volume that most relations ask "
             "for")
-        ->type_name("m")
-        ->check(CLI::Range(1e-3, 1e6));
+        .value_name("m")
+        .within(1e-3, 1e6);
 }
 
 long chosen_run(const Store& store, const RunChoice& choice) {

@@ -2,13 +2,13 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <array>
 #include <filesystem>
 
 #include "core/input_error.h"
+#include "program/log.h"
 #include "store/database_in_use.h"
 
 namespace runout {
@@ -48,7 +48,7 @@ StoredRun RunKeeper::keep(const EndedRun& run) {
     try {
         return keep_waiting(run);
     } catch (const InputError& error) {
-        spdlog::warn("{}", error.what());
+        log_warning("{}", error.what());
         return keep_elsewhere(run);
     }
 }
@@ -66,8 +66,8 @@ StoredRun RunKeeper::keep_waiting(const EndedRun& run) {
             if (now >= end) throw;
             if (now < next_message) continue;
             next_message = now + between_messages;
-            spdlog::warn("{} is in use by another program; trying for {} s more", path_,
-                         std::chrono::ceil<std::chrono::seconds>(end - now).count());
+            log_warning("{} is in use by another program; trying for {} s more", path_,
+                        std::chrono::ceil<std::chrono::seconds>(end - now).count());
         }
     }
 }
