@@ -19,7 +19,6 @@
 #include "program/run_keeper.h"
 #include "report/text/ladder_text.h"
 #include "report/text/table.h"
-#include "report/text/time_table.h"
 #include "run/run_scene.h"
 #include "scene/input_files.h"
 #include "scene/scene.h"
