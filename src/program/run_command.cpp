@@ -137,7 +137,7 @@ int run_section(const RunPlan& plan, const RunArguments& arguments, RunDatabase&
     StoredRun run = describe_run(scene, result, plan.appraisal);
     std::exception_ptr failure;
     try {
-        if (database.keeper) run = database.keeper->keep({scene, result, plan.appraisal, plan.pilots});
+        if (database.keeper) run.run_id = database.keeper->keep({scene, result, run, plan.pilots});
     } catch (...) {
         failure = std::current_exception();  // a full disk must not cost the answer: print it first
     }

@@ -19,10 +19,6 @@ namespace fs = std::filesystem;
 constexpr std::chrono::seconds one_try{1};
 constexpr std::chrono::seconds between_messages{10};
 
-long add(Store& store, const EndedRun& run) {
-    return store.add(run.scene, run.result, run.appraisal, run.pilots);
-}
-
 /// "study-side-20240531T093000Z-4711.db": no other program makes the same.
 std::string side_name(const std::string& path) {
     return fmt::format("{}-side-{:%Y%m%dT%H%M%SZ}-{}.db", fs::path(path).stem().string(),
@@ -43,7 +39,7 @@ std::vector<std::string> side_places(const std::string& path) {
 RunKeeper::RunKeeper(Store& store, std::string path, std::chrono::seconds patience)
     : store_(store), path_(std::move(path)), patience_(patience) {}
 
-StoredRun RunKeeper::keep(const EndedRun& run) {
+long RunKeeper::keep(const EndedRun& run) {
     if (is_elsewhere()) return keep_elsewhere(run);
     try {
         return keep_waiting(run);
@@ -53,14 +49,14 @@ StoredRun RunKeeper::keep(const EndedRun& run) {
     }
 }
 
-StoredRun RunKeeper::keep_waiting(const EndedRun& run) {
+long RunKeeper::keep_waiting(const EndedRun& run) {
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + patience_;
     auto next_message = Clock::now();
     store_.set_patience(one_try);
     while (true) {
         try {
-            return store_.run(add(store_, run));
+            return store_.add(run);
         } catch (const DatabaseInUse&) {
             const auto now = Clock::now();
             if (now >= end) throw;
@@ -72,14 +68,14 @@ StoredRun RunKeeper::keep_waiting(const EndedRun& run) {
     }
 }
 
-StoredRun RunKeeper::keep_elsewhere(const EndedRun& run) {
+long RunKeeper::keep_elsewhere(const EndedRun& run) {
     std::string last_problem;
     for (const std::string& place : is_elsewhere() ? std::vector{elsewhere_} : side_places(path_)) {
         try {
             Store side(place, Store::Mode::write);
-            const StoredRun stored = side.run(add(side, run));
+            const long run_id = side.add(run);
             elsewhere_ = place;
-            return stored;
+            return run_id;
         } catch (const InputError& error) {
             last_problem = error.what();
         }

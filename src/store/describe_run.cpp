@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <chrono>
 #include <thread>
+#include <variant>
 
 #include "core/machine.h"
 #include "core/units.h"
 #include "core/version.h"
+#include "store/columns.h"
 #include "store/store.h"
 
 namespace runout {
@@ -35,6 +37,31 @@ void describe_section(StoredRun& run, const Profile& profile) {
     run.crest_origin = profile.crest_given ? "given" : "found";
     run.section_read_as = profile.read_as;
     run.section_doubts = fmt::format("{}", fmt::join(profile.doubts, "\n"));
+}
+
+void drop_negative_zero(double& number) {
+    number += 0.0;
+}
+
+template <class Record, class Columns>
+void drop_negative_zeros(Record& record, const Columns& columns) {
+    for (const auto& column : columns) drop_negative_zero(record.*column.value);
+}
+
+/// The database has no negative zero, and what is told of a run is to be what is read of it later.
+void drop_negative_zeros(StoredRun& run) {
+    for (double* number :
+         {&run.discontinuity_angle_deg, &run.slope_angle_deg, &run.toe_chainage_m, &run.toe_elevation_m,
+          &run.crest_chainage_m, &run.face_height_m, &run.friction_angle_deg})
+        drop_negative_zero(*number);
+    drop_negative_zeros(run.measures, measure_fields());
+    drop_negative_zeros(run.appraisal, appraisal_numbers());
+    for (const WorkColumn& column : work_columns())
+        if (const auto* member = std::get_if<double RunWork::*>(&column.member))
+            drop_negative_zero(run.work.**member);
+    for (EffectRow& effect : run.effects) drop_negative_zero(effect.cost_s);
+    for (GaugeRecord& gauge : run.gauges) drop_negative_zeros(gauge, gauge_columns());
+    for (BarrierRecord& barrier : run.barriers) drop_negative_zeros(barrier, barrier_columns());
 }
 
 }  // namespace
@@ -66,6 +93,7 @@ StoredRun describe_run(const Scene& scene, const RunResult& result, const Apprai
     run.barriers = result.barriers;
     run.machine = machine_description();
     run.appraisal = appraisal;
+    drop_negative_zeros(run);
     return run;
 }
 
