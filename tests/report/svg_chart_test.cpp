@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <regex>
 #include <set>
 
@@ -12,7 +13,7 @@
 namespace runout {
 namespace {
 
-constexpr double nan = ValidationEntry::none;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -191,7 +192,8 @@ Vec2 scale_of(double width, double height) {
 TEST(SvgChart, AMetreIsEquallyLongOnBothAxes) {
     for (const Vec2& size : {Vec2(10, 4), Vec2(40, 1), Vec2(4, 10), Vec2(1, 40)}) {
         const Vec2 scale = scale_of(size.x(), size.y());
-        EXPECT_NEAR(scale.x(), scale.y(), 0.15) << size.transpose();  // coordinates end at a tenth of a pixel
+        EXPECT_NEAR(scale.x(), scale.y(), 0.15)
+            << size.x() << " x " << size.y();  // coordinates end at a tenth of a pixel
         EXPECT_GT(scale.x(), 8.0) << "the plot is used";
     }
 }
