@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "core/input_error.h"
 #include "core/printable.h"
@@ -89,6 +91,12 @@ void open_closed_streams() {
         if (fcntl(stream, F_GETFD) < 0) (void)open("/dev/null", O_RDWR);
 }
 
+/// A file that grows beyond a limit of the shell (ulimit -f) is a disk that is full: the write that fails is
+/// told.
+void let_writes_fail() {
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
 /// An answer that did not get out is none.
 int after_flush(int code) {
     const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
@@ -101,6 +109,7 @@ int after_flush(int code) {
 
 int main(int argc, char** argv) {
     open_closed_streams();
+    let_writes_fail();
     try {
         start_log();
         return after_flush(run_program(argc, argv));
@@ -108,6 +117,9 @@ int main(int argc, char** argv) {
         return fail(exit_code::input_error, "error", error.what());
     } catch (const InputError& error) {
         return fail(exit_code::input_error, "error", error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(exit_code::internal_error, "error",
+                    "the memory does not suffice; run coarser, or fewer runs at a time");
     } catch (const std::exception& error) {
         return fail(exit_code::internal_error, "internal error", error.what());
     }

@@ -49,6 +49,7 @@ class Child {
     }
 
     void interrupt() const { kill(pid_, SIGINT); }
+    void send(int signal) const { kill(pid_, signal); }
     void kill_at_once() const { kill(pid_, SIGKILL); }
 
     Outcome wait() {
@@ -111,6 +112,18 @@ class ProgramTest : public testing::Test {
 
     [[nodiscard]] Outcome runout(const Arguments& arguments) const {
         return Child(folder_.path(), arguments).wait();
+    }
+
+    /// The same after what a shell does first: limits, variables of the environment, redirections at the end.
+    [[nodiscard]] Outcome runout_in_shell(const std::string& before, const std::string& arguments) const {
+        const fs::path streams = folder_.path() / "streams";
+        fs::create_directories(streams);
+        const std::string command = fmt::format(
+            "cd '{}' && exec >'{}' 2>'{}'; {} exec '{}' {}", work().string(), (streams / "out").string(),
+            (streams / "err").string(), before, RUNOUT_PROGRAM, arguments);
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(streams / "out"),
+                text_of(streams / "err")};
     }
 
     [[nodiscard]] std::set<std::string> files() const {

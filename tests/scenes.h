@@ -36,12 +36,10 @@ inline Scene aluminium_column(double friction_angle_deg, double spacing) {
 
 /// A block of soil, `height` high and 0.1 m wide, that is let go 0.12 m above the column's foot after `time`.
 inline LaterMass mass_above_column(const Scene& column, double time, double height) {
-    LaterMass mass;
-    mass.time = time;
-    mass.outline = {{0.0, 0.12}, {0.1, 0.12}, {0.1, 0.12 + height}, {0.0, 0.12 + height}};
-    mass.bed = column.source.bed;
-    mass.area = 0.1 * height;
-    return mass;
+    return {time,
+            {.outline = {{0.0, 0.12}, {0.1, 0.12}, {0.1, 0.12 + height}, {0.0, 0.12 + height}},
+             .bed = column.source.bed,
+             .area = 0.1 * height}};
 }
 
 /// Slab of the material, `rows` x `columns` particles, on a rough plane of the given inclination.

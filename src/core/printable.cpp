@@ -39,15 +39,18 @@ Letter first_letter(std::string_view text) {
 }
 
 bool is_harmless(char32_t code) {
-    constexpr std::array<std::pair<char32_t, char32_t>, 9> harmful = {{{0x0000, 0x001F},
-                                                                       {0x007F, 0x009F},
-                                                                       {0x061C, 0x061C},
-                                                                       {0x200E, 0x200F},
-                                                                       {0x2028, 0x202E},
-                                                                       {0x2066, 0x2069},
-                                                                       {0xFEFF, 0xFEFF},
-                                                                       {0xE0000, 0xE007F},
-                                                                       {no_character, no_character}}};
+    constexpr std::array<std::pair<char32_t, char32_t>, 12> harmful = {{{0x0000, 0x001F},
+                                                                        {0x007F, 0x009F},
+                                                                        {0x00AD, 0x00AD},
+                                                                        {0x061C, 0x061C},
+                                                                        {0x200B, 0x200B},
+                                                                        {0x200E, 0x200F},
+                                                                        {0x2028, 0x202E},
+                                                                        {0x2060, 0x2064},
+                                                                        {0x2066, 0x2069},
+                                                                        {0xFEFF, 0xFEFF},
+                                                                        {0xE0000, 0xE007F},
+                                                                        {no_character, no_character}}};
     return std::ranges::none_of(
         harmful, [&](const auto& range) { return code >= range.first && code <= range.second; });
 }
@@ -96,6 +99,15 @@ std::string printable_json(std::string_view json) {
         const bool between = letter.code == '\n' || letter.code == '\t' || letter.code == '\r';
         return between ? std::string(letter.bytes) : json_escape(letter.code);
     });
+}
+
+bool is_utf8(std::string_view text) {
+    while (!text.empty()) {
+        const Letter letter = first_letter(text);
+        if (letter.code == no_character) return false;
+        text.remove_prefix(letter.bytes.size());
+    }
+    return true;
 }
 
 std::string file_name_part(std::string_view name) {

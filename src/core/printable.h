@@ -8,7 +8,12 @@ namespace runout {
 
 // A name may hold anything: what moves a cursor, colours a terminal, forges the next row of a table or turns
 // the reading direction round. These are control characters (C0, DEL, C1), line and paragraph separators,
-// marks of direction, the byte order mark, and bytes that are no UTF-8.
+// marks of direction, and bytes that are no UTF-8.
+
+// Letters of no width are among them, but the two that join and part letters of Persian and Indian names.
+
+/// Whether every byte is part of a character.
+bool is_utf8(std::string_view text);
 
 /// `text` as one line: each such byte as \xNN.
 std::string printable(std::string_view text);

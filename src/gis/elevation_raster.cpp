@@ -16,6 +16,7 @@ namespace {
 
 constexpr double foot_m = length_unit("ft")->metres;
 constexpr double us_survey_foot_m = length_unit("us-ft")->metres;
+constexpr double smallest_cell_m = 1e-6;
 constexpr double unit_tolerance = 1e-4;  // as labels are rounded, no further than a metre is from a metre
 
 /// Shares of four neighbouring cells in a value between the second and the third, 0 <= t < 1.
@@ -207,7 +208,10 @@ double ElevationRaster::cell_size_m(const MapLine& line) const {
     const MetricFrame metric(impl_->reference, at, {at});
     const Vec2 across = metric(at + Vec2(impl_->to_map[1], impl_->to_map[4])) - metric(at);
     const Vec2 down = metric(at + Vec2(impl_->to_map[2], impl_->to_map[5])) - metric(at);
-    return std::sqrt(std::abs(across.x() * down.y() - across.y() * down.x()));
+    const double size = std::sqrt(std::abs(across.x() * down.y() - across.y() * down.x()));
+    if (!(size > smallest_cell_m))
+        impl_->refuse(fmt::format("has cells of {:g} m", size), "give a raster that is placed on a map");
+    return size;
 }
 
 }  // namespace runout

@@ -80,6 +80,17 @@ std::vector<const char*> open_options(const std::string& path, unsigned kind,
     return {nullptr};
 }
 
+/// Without its list PROJ takes every system for none, and GDAL lines without one for degrees.
+void need_coordinate_systems() {
+    static const bool found = [] {
+        OGRSpatialReference probe;
+        return probe.importFromEPSG(4326) == OGRERR_NONE;
+    }();
+    if (!found)
+        throw InputError({"", 0, "PROJ_DATA", ""}, "leads to no list of coordinate systems (proj.db)",
+                         "leave PROJ_DATA and PROJ_LIB unset, or let them name the folder that has it");
+}
+
 }  // namespace
 
 QuietGdal::QuietGdal() {
@@ -99,6 +110,7 @@ std::string gdal_reason() {
 }
 
 GDALDatasetUniquePtr open_dataset(const std::string& path, unsigned kind, const std::string& valid) {
+    need_coordinate_systems();
     CPLErrorReset();
     const std::string local = local_path(path, valid);
     const std::vector<const char*> drivers = drivers_for(local, kind);
@@ -119,6 +131,7 @@ OGRSpatialReference map_reference(const OGRSpatialReference& reference) {
 }
 
 OGRSpatialReference reference_from(const std::string& text, const std::string& key) {
+    need_coordinate_systems();
     OGRSpatialReference reference;
     CPLErrorReset();
     if (text.empty() || reference.SetFromUserInput(text.c_str()) != OGRERR_NONE)

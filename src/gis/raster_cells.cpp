@@ -31,12 +31,28 @@ double block_bytes(GDALDataset& data) {
            (together ? data.GetRasterCount() : 1);
 }
 
+/// A grid of text whose head asks for more cells than its bytes can hold, each a digit and what parts it from
+/// the next: GDAL would look for every row of it.
+void check_holds_its_cells(GDALDataset& data, const std::string& path) {
+    const std::string driver = data.GetDriver() != nullptr ? data.GetDriver()->GetDescription() : "";
+    VSIStatBufL file{};
+    if ((driver != "AAIGrid" && driver != "GRASSASCIIGrid") || VSIStatL(path.c_str(), &file) != 0) return;
+    const double cells = 1.0 * data.GetRasterXSize() * data.GetRasterYSize();
+    const auto bytes = static_cast<double>(file.st_size);
+    if (2 * cells - 1 > bytes)
+        throw InputError({path, 0, "", ""},
+                         fmt::format("is cut off: {:.0f} bytes are too few for {} x {} cells", bytes,
+                                     data.GetRasterXSize(), data.GetRasterYSize()),
+                         "take a copy that is whole");
+}
+
 bool is_virtual(GDALDataset& data) {
     return data.GetDriver() != nullptr && EQUAL(data.GetDriver()->GetDescription(), "VRT");
 }
 
 /// The largest block of a data set and of what it is put together from, in bytes, and the file that has it.
 std::pair<double, std::string> largest_block(GDALDataset& data, const std::string& path, int depth) {
+    check_holds_its_cells(data, path);
     std::pair<double, std::string> largest{block_bytes(data), path};
     if (!is_virtual(data) || depth >= deepest_nesting) return largest;
     const CPLStringList files(data.GetFileList());

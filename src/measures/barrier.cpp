@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/effects/bed_shape.h"
+#include "engine/effects/barrier.h"
 
 namespace runout {
 namespace {

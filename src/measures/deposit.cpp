@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "engine/particles/cell_grid.h"
-#include "engine/pressure/pressure_solver.h"
 
 namespace runout {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "engine/state_view.h"
 #include "measures/measures.h"
-#include "scene/effects.h"
+#include "scene/gauge.h"
 
 namespace runout {
 

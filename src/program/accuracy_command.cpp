@@ -18,6 +18,8 @@
 #include "program/common_options.h"
 #include "program/interrupt.h"
 #include "program/log.h"
+#include "program/number_option.h"
+#include "program/patient_store.h"
 #include "report/chart/svg_chart.h"
 #include "report/page/accuracy_page.h"
 #include "report/text/ladder_text.h"
@@ -121,6 +123,7 @@ int study(const AccuracyArguments& arguments) {
     const WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
     InterruptWatch interrupt;
+    wait_for_others(store, arguments.database, interrupt.requested());
     Ladder ladder = climb_and_tell(scene, store, arguments, interrupt.requested());
     const std::vector<Price> prices = price_list(ladder);
     say(arguments, fmt::format("\n{}", ladder_summary(ladder, prices)));
@@ -192,25 +195,16 @@ void add_accuracy_command(CommandLine& program) {
         .value_name("5%|0.25m")
         .show_default()
         .group("Ladder");
-    command
-        .add_option("--budget", &arguments->budget_s,
-                    "Time for the ladder; no rung is begun that would exceed it")
+    add_number_option(command, "--budget", arguments->budget_s,
+                      "Time for the ladder; no rung is begun that would exceed it", positive_number)
         .value_name("s")
-        .positive()
-        .show_default()
         .group("Ladder");
-    command
-        .add_option("--finest", &arguments->at_least_to,
-                    "sqrt(S)/dl to go on to even if the target is met before, for a better reference")
-        .value_name("number")
-        .within(0, 1000)
+    add_number_option(command, "--finest", arguments->at_least_to,
+                      "sqrt(S)/dl to go on to even if the target is met before, for a better reference",
+                      {0, 1000})
         .group("Ladder");
-    command
-        .add_option("--lattices", &arguments->lattices,
-                    "Runs on each rung: on the regular lattice and off it at random")
-        .value_name("number")
-        .within(1, 100)
-        .show_default()
+    add_number_option(command, "--lattices", arguments->lattices,
+                      "Runs on each rung: on the regular lattice and off it at random", {1, 100})
         .group("Ladder");
     command
         .add_flag(

@@ -8,6 +8,7 @@
 #include "program/common_options.h"
 #include "program/interrupt.h"
 #include "program/log.h"
+#include "program/patient_store.h"
 #include "report/text/back_analysis_text.h"
 #include "store/store.h"
 #include "store/write_ahead.h"
@@ -29,6 +30,7 @@ int back_analyse(const BackAnalysisArguments& arguments) {
     const WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
     InterruptWatch interrupt;
+    wait_for_others(store, arguments.database, interrupt.requested());
     SuiteOptions options;
     options.jobs = arguments.jobs;
     options.interrupt = &interrupt.requested();

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <string_view>
 #include <type_traits>
 #include <utility>
+
+#include "core/input_error.h"
 
 namespace runout {
 
@@ -38,23 +41,8 @@ CommandOption& CommandOption::excludes(const std::string& name) {
     return *this;
 }
 
-CommandOption& CommandOption::positive() {
-    option_->check(CLI::PositiveNumber);
-    return *this;
-}
-
-CommandOption& CommandOption::not_negative() {
-    option_->check(CLI::NonNegativeNumber);
-    return *this;
-}
-
-CommandOption& CommandOption::within(int low, int high) {
-    option_->check(CLI::Range(low, high));
-    return *this;
-}
-
-CommandOption& CommandOption::within(double low, double high) {
-    option_->check(CLI::Range(low, high));
+CommandOption& CommandOption::default_text(const std::string& text) {
+    option_->default_str(text);
     return *this;
 }
 
@@ -110,6 +98,27 @@ std::string sentence(const CLI::App& app, const CLI::ParseError& error, const st
     return fmt::format("{}; see runout --help", error.what());
 }
 
+/// "-o=page.html" would write a file of the name "=page.html".
+void refuse_short_assignments(int argc, char** argv) {
+    for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
+        const std::string word = argv[i];
+        if (word.size() < 3 || word[0] != '-' || word[1] == '-' || word[2] != '=') continue;
+        throw InputError({.file = {}, .line = 0, .key = {}, .value = word},
+                         "has = after an option of one letter",
+                         fmt::format("write {} {}", word.substr(0, 2), word.substr(3)));
+    }
+}
+
+/// As of a variable of the shell that is not set: it says nothing, and is no name of a file.
+void refuse_empty_values(CLI::App& app) {
+    const auto check = [](const std::string& value) {
+        return value.empty() ? std::string("is empty; give a value, or leave it out") : std::string();
+    };
+    for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+        for (CLI::Option* option : sub->get_options())
+            if (option->get_items_expected_max() > 0) option->check(check);
+}
+
 }  // namespace
 
 CommandLine::CommandLine(const std::string& program, const std::string& purpose)
@@ -157,6 +166,8 @@ std::optional<std::string> CommandLine::help_on(const std::string& command) cons
 }
 
 int CommandLine::run(int argc, char** argv) {
+    refuse_empty_values(parser_->app);
+    refuse_short_assignments(argc, argv);
     try {
         parser_->app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

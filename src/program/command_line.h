@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -24,12 +23,12 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Where the value of an option goes. The variable keeps what it holds when the option is not given; it must
-/// live until the command has been done. Of a vector, each use of the option adds a value. A function is
-/// called while the command line is read, with the one text or with all of them.
+/// Where the words of an option go; numbers are read by program/number_option.h. The variable keeps what it
+/// holds when the option is not given; it must live until the command has been done. Of a vector, each use of
+/// the option adds a word. A function is called while the command line is read, with the one word or with all
+/// of them.
 using OptionTarget =
-    std::variant<std::string*, int*, std::uint64_t*, double*, std::optional<long>*, std::vector<std::string>*,
-                 std::vector<long>*, std::vector<double>*, std::function<void(const std::string&)>,
+    std::variant<std::string*, std::vector<std::string>*, std::function<void(const std::string&)>,
                  std::function<void(const std::vector<std::string>&)>>;
 
 /// Where it is noted that a flag was given: true, or the function is called.
@@ -48,17 +47,12 @@ class CommandOption {
     CommandOption& group(const std::string& heading);
     /// The help shows what the variable holds now as the default.
     CommandOption& show_default();
+    /// The help shows this as the default.
+    CommandOption& default_text(const std::string& text);
     /// Each use takes one value only, so that a positional may follow.
     CommandOption& one_value_a_use();
     /// Refused when that option is given too.
     CommandOption& excludes(const std::string& name);
-
-    // Numbers that are refused otherwise; both ends of a range are allowed. Within whole numbers, a fraction
-    // is refused even where the variable could hold it.
-    CommandOption& positive();
-    CommandOption& not_negative();
-    CommandOption& within(int low, int high);
-    CommandOption& within(double low, double high);
 
   private:
     CLI::Option* option_;
@@ -107,7 +101,8 @@ class CommandLine {
     [[nodiscard]] std::optional<std::string> help_on(const std::string& command) const;
 
     /// Does the work of the command that the words name, and returns its exit code. --help and --version are
-    /// printed and are a success. Throws UsageError, and what the work throws.
+    /// printed and are a success. Throws UsageError, InputError where a value is empty or behind "-o=", and
+    /// what the work throws.
     int run(int argc, char** argv);
 
   private:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "program/number_option.h"
+
 namespace runout {
 
 InputPlace option_place(const std::string& option, const std::string& value) {
@@ -24,10 +26,7 @@ int default_jobs() {
 }
 
 void add_jobs_option(Command& command, int& jobs) {
-    command.add_option("-j,--jobs", &jobs, "Runs at a time, each on one thread")
-        .value_name("number")
-        .within(1, 1024)
-        .show_default();
+    add_number_option(command, "-j,--jobs", jobs, "Runs at a time, each on one thread", {1, 1024});
 }
 
 void add_overwrite_option(Command& command, OutputRules& rules) {

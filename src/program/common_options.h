@@ -5,6 +5,7 @@
 #include "core/input_error.h"
 #include "core/output_file.h"
 #include "program/command_line.h"
+#include "program/common_options.h"
 
 namespace runout {
 

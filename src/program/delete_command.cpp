@@ -15,6 +15,7 @@
 #include "program/answer.h"
 #include "program/command.h"
 #include "program/common_options.h"
+#include "program/number_option.h"
 #include "program/study_choice.h"
 #include "store/remove_runs.h"
 #include "store/store.h"
@@ -68,7 +69,10 @@ RunSelection selection_of(const DeleteArguments& arguments) {
     if (ways != 1)
         throw InputError({.file = {}, .line = 0, .key = "delete", .value = {}},
                          "must be told in one way what is to go", "give --run, --study or --older-than");
-    RunSelection selection{.run_ids = arguments.run_ids};
+    RunSelection selection;
+    for (const long id : arguments.run_ids)  // one that is named twice goes once
+        if (std::ranges::find(selection.run_ids, id) == selection.run_ids.end())
+            selection.run_ids.push_back(id);
     if (!arguments.study.empty())
         selection.study_id =
             chosen_study(Store(arguments.database, Store::Mode::read), arguments.database, arguments.study)
@@ -130,7 +134,7 @@ void add_delete_command(CommandLine& program) {
     Command command =
         program.add_command("delete", "Remove stored runs whole, after asking, and give their space back");
     add_database_argument(command, arguments->database);
-    command.add_option("--run", &arguments->run_ids, "These runs; may be repeated").value_name("ID");
+    add_id_option(command, "--run", arguments->run_ids, "These runs; may be repeated");
     command
         .add_option("--study", &arguments->study,
                     "A study with its runs, but those that another study has too")

@@ -7,6 +7,7 @@
 #include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
+#include "program/number_option.h"
 #include "program/study_choice.h"
 #include "report/text/estimate_text.h"
 #include "store/store.h"
@@ -82,8 +83,8 @@ int tell_estimate(const EstimateArguments& arguments) {
 }
 
 CommandOption add_number(Command& command, const char* names, double& value, const char* help,
-                         const char* unit) {
-    return command.add_option(names, &value, help).value_name(unit).group("Question in numbers");
+                         const NumberRange& range) {
+    return add_number_option(command, names, value, help, range).group("Question in numbers");
 }
 
 }  // namespace
@@ -101,17 +102,18 @@ void add_estimate_command(CommandLine& program) {
     command.add_option("--study", &arguments->study, "Only the runs of this study; by default all runs")
         .value_name("NAME|ID");
     ChartPlace& place = arguments->numbers.place;
-    add_number(command, "--slope-angle", place[0], "Inclination of the cut", "deg").within(0.0, 90.0);
+    add_number(command, "--slope-angle", place[0], "Inclination of the cut", {0, 90}).value_name("deg");
     add_number(command, "--drop-height", place[1],
-               "H_d/sqrt(S): head of the source above the toe over the root of its area", "ratio")
-        .not_negative();
+               "H_d/sqrt(S): head of the source above the toe over the root of its area", not_negative)
+        .value_name("ratio");
     add_number(command, "--front-area", place[2],
-               "S_front/S: part of the source above the discontinuity plane", "ratio")
-        .within(0.0, 1.0);
-    add_number(command, "--friction-angle,--phi", place[3], "Internal friction of the soil", "deg")
-        .within(0.0, 89.0);
-    add_number(command, "--area", arguments->area, "Area S of the source: the answer is in metres too", "m2")
-        .positive();
+               "S_front/S: part of the source above the discontinuity plane", {0, 1})
+        .value_name("ratio");
+    add_number(command, "--friction-angle,--phi", place[3], "Internal friction of the soil", {0, 89})
+        .value_name("deg");
+    add_number(command, "--area", arguments->area, "Area S of the source: the answer is in metres too",
+               positive_number)
+        .value_name("m2");
     command.add_flag("--check", &arguments->check,
                      "Instead of an estimate: hold out runs in turn, and say how well they are estimated");
     command.add_flag("--json", &arguments->json, "Print one JSON object");

@@ -6,8 +6,8 @@
 
 namespace runout {
 
-/// While it lives, Ctrl-C and SIGTERM ask for an orderly end in place of killing the program; a second one
-/// kills.
+/// While it lives, Ctrl-C, SIGTERM and a terminal that closes (SIGHUP) ask for an orderly end in place of
+/// killing the program; a second one kills. What the program was started to ignore stays ignored.
 ///
 /// The signals are blocked and waited for by a thread, so there is no signal handler and nothing global. Make
 /// it before other threads start: they inherit the blocked signals.

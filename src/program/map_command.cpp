@@ -7,6 +7,7 @@
 #include "program/command.h"
 #include "program/common_options.h"
 #include "program/log.h"
+#include "program/number_option.h"
 #include "report/map/result_map.h"
 
 namespace runout {
@@ -46,12 +47,10 @@ void add_map_command(CommandLine& program) {
         .add_option("--crs", &arguments->crs,
                     "Coordinate system of a .gpkg, such as EPSG:2326 (default: that of the first section)")
         .value_name("NAME");
-    command
-        .add_option("--neighbours-within", &arguments->options.neighbours_within_m,
-                    "Toes of neighbouring sections, which a hazard band joins, are no farther apart")
-        .value_name("m")
-        .positive()
-        .show_default();
+    add_number_option(command, "--neighbours-within", arguments->options.neighbours_within_m,
+                      "Toes of neighbouring sections, which a hazard band joins, are no farther apart",
+                      positive_number)
+        .value_name("m");
     command.add_flag("--every-run", &arguments->options.every_run,
                      "Not only the finest run of each question");
     add_overwrite_option(command, arguments->rules);

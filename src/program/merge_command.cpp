@@ -25,7 +25,8 @@ void tell(const std::string& path, const MergeCounts& counts) {
                            counts.runs_added, counts.runs_known, counts.studies));
     std::fflush(stdout);
     for (const std::string& object : counts.foreign)
-        log_warning("{} holds a {} that is not Runout's; it was left there", path, object);
+        log_warning("{} holds {} {} that is not Runout's; it was left there", path,
+                    object.starts_with("index") ? "an" : "a", object);
     if (counts.lacks_log)
         log_warning(
             "{0} says that it is written through a log, and there is no {0}-wal beside it: runs may be "

@@ -39,6 +39,9 @@ int write_new_case(const NewArguments& arguments) {
                          "give the section that a case is to be made of");
     const fs::path folder = arguments.output.empty() ? "." : fs::absolute(arguments.output).parent_path();
     const NewCase made = new_case(spec, folder.string());
+    if (!is_utf8(made.text))
+        throw InputError({spec.file, 0, "", ""}, "has a name that is no UTF-8, which a case file cannot hold",
+                         "rename it");
     if (made.example_friction)
         log_warning("material.friction_angle_deg = 38 is an example; give that of the soil");
     if (arguments.output.empty()) {

@@ -5,6 +5,7 @@
 #include "program/command.h"
 #include "program/common_options.h"
 #include "program/log.h"
+#include "program/number_option.h"
 #include "program/run_choice.h"
 #include "program/study_choice.h"
 #include "report/page/run_page.h"
@@ -59,9 +60,8 @@ void add_report_command(CommandLine& program) {
     Command command =
         program.add_command("report", "Write a page that shows a stored run, for any browser, offline");
     add_run_choice(command, arguments->choice);
-    command
-        .add_option("--section", &arguments->section_id, "Show all runs on this section instead of one run")
-        .value_name("ID")
+    add_id_option(command, "--section", arguments->section_id,
+                  "Show all runs on this section instead of one run")
         .excludes("--run");
     command.add_option("--study", &arguments->study, "Show all scenarios of this study instead of one run")
         .value_name("NAME|ID")

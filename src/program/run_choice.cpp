@@ -2,23 +2,21 @@
 
 #include "core/input_error.h"
 #include "program/common_options.h"
+#include "program/number_option.h"
 
 namespace runout {
 
 void add_run_choice(Command& command, RunChoice& choice) {
     add_database_argument(command, choice.database);
-    command.add_option("--run", &choice.run_id, "Number of the run; the last result if none is given")
-        .value_name("ID");
+    add_id_option(command, "--run", choice.run_id, "Number of the run; the last result if none is given");
 }
 
 void add_width_option(Command& command, double& width) {
-    command
-        .add_option(
-            "--width", &width,
-            "Width of the slide across the section: area times width is the volume that most relations ask "
-            "for")
-        .value_name("m")
-        .within(1e-3, 1e6);
+    add_number_option(
+        command, "--width", width,
+        "Width of the slide across the section: area times width is the volume that most relations ask for",
+        {1e-3, 1e6})
+        .value_name("m");
 }
 
 long chosen_run(const Store& store, const RunChoice& choice) {

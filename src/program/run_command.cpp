@@ -14,6 +14,7 @@
 #include "program/common_options.h"
 #include "program/interrupt.h"
 #include "program/log.h"
+#include "program/number_option.h"
 #include "program/progress_line.h"
 #include "program/refused_sections.h"
 #include "program/run_keeper.h"
@@ -199,6 +200,12 @@ int end_of_many(int code, const SectionTally& tally, const RunArguments& argumen
     return code == exit_code::success ? exit_code::not_a_result : code;
 }
 
+/// One that this call has made, and that holds nothing.
+void remove_database(const std::string& path) {
+    std::error_code ignored;
+    for (const std::string& file : database_files(path)) std::filesystem::remove(file, ignored);
+}
+
 int run(RunArguments arguments) {
     if (arguments.quiet) log_errors_only();
     const CaseSpec whole = case_from(arguments.scenario);
@@ -217,17 +224,17 @@ int run(RunArguments arguments) {
     // A database that cannot take the runs is found out now and not after an hour of work.
     std::error_code ignored;
     const bool existed = std::filesystem::exists(arguments.database, ignored);
-    std::optional<RunDatabase> database(std::in_place, arguments);
-
-    const InterruptWatch interrupt;
+    std::optional<RunDatabase> database;
     try {
+        database.emplace(arguments);
+        const InterruptWatch interrupt;
         const int code = run_sections(sections, tally, arguments, *database, interrupt);
         if (tally.many() && tally.sections().taken.empty()) tally.require_any();
         return end_of_many(code, tally, arguments, database->store);
-    } catch (const InputError&) {  // a target that cannot be met leaves nothing behind
-        const bool empty = database->is_empty();
+    } catch (...) {  // a target that cannot be met leaves nothing behind
+        const bool empty = !database || database->is_empty();
         database.reset();
-        if (empty && !existed) std::filesystem::remove(arguments.database, ignored);
+        if (empty && !existed && arguments.store) remove_database(arguments.database);
         throw;
     }
 }
@@ -253,27 +260,19 @@ void add_run_command(CommandLine& program) {
             "is "
             "a ladder")
         .group("Accuracy");
-    command
-        .add_option("--budget", &arguments->budget_s, "CPU time that a run may take whose spacing is chosen")
+    add_number_option(command, "--budget", arguments->budget_s,
+                      "CPU time that a run may take whose spacing is chosen", positive_number)
         .value_name("s")
-        .positive()
-        .show_default()
         .group("Accuracy");
-    command
-        .add_option(
-            "--wait", &arguments->wait_s,
-            "How long a run that has ended waits for a database that another program holds, before it "
-            "is stored in one beside it")
+    add_number_option(command, "--wait", arguments->wait_s,
+                      "How long a run that has ended waits for a database that another program holds, before "
+                      "it is stored in one beside it",
+                      {0, 1e6})
         .value_name("s")
-        .within(0, 1'000'000)
-        .show_default()
         .group("Output");
-    command
-        .add_option("--frames", &arguments->frames,
-                    "Most pictures of the particles to store for the animation of the report; 0 for none")
-        .value_name("number")
-        .within(0, 10000)
-        .show_default()
+    add_number_option(command, "--frames", arguments->frames,
+                      "Most pictures of the particles to store for the animation of the report; 0 for none",
+                      {0, 10'000})
         .group("Output");
     add_refused_option(command, arguments->refused);
     add_overwrite_option(command, arguments->rules);

@@ -43,8 +43,8 @@ long RunKeeper::keep(const EndedRun& run) {
     if (is_elsewhere()) return keep_elsewhere(run);
     try {
         return keep_waiting(run);
-    } catch (const InputError& error) {
-        log_warning("{}", error.what());
+    } catch (const std::exception& error) {  // whatever is wrong with that file, the run is not
+        log_warning("{}: {}", path_, error.what());
         return keep_elsewhere(run);
     }
 }

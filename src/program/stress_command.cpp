@@ -12,6 +12,8 @@
 #include "program/common_options.h"
 #include "program/interrupt.h"
 #include "program/log.h"
+#include "program/number_option.h"
+#include "program/patient_store.h"
 #include "report/text/stress_table.h"
 #include "store/store.h"
 #include "store/write_ahead.h"
@@ -76,6 +78,7 @@ int stress(const StressArguments& arguments) {
     const WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
     InterruptWatch interrupt;
+    wait_for_others(store, arguments.database, interrupt.requested());
     StressOptions options;
     options.jobs = arguments.jobs;
     for (const std::string& setting : arguments.settings) options.settings.push_back(split(setting));
@@ -104,13 +107,10 @@ void add_stress_command(CommandLine& program) {
     Command command = program.add_command(
         "stress",
         "Run random hard scenes and say how each ended and how near any came to losing its stability");
-    command.add_option("--scenes", &arguments->scenes, "How many, spread by a Latin hypercube")
-        .value_name("number")
-        .within(1, 1000000)
-        .show_default();
-    command.add_option("--seed", &arguments->seed, "The same seed makes the same scenes")
-        .value_name("number")
-        .show_default();
+    add_number_option(command, "--scenes", arguments->scenes, "How many, spread by a Latin hypercube",
+                      {1, 1e6});
+    add_number_option(command, "--seed", arguments->seed, "The same seed makes the same scenes",
+                      not_negative);
     command.add_option("--range", &arguments->ranges, "Narrow an axis, or fix it; may be repeated")
         .value_name("axis=LOW:HIGH")
         .one_value_a_use();

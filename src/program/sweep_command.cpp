@@ -18,6 +18,7 @@
 #include "program/common_options.h"
 #include "program/interrupt.h"
 #include "program/log.h"
+#include "program/patient_store.h"
 #include "program/progress_line.h"
 #include "program/refused_sections.h"
 #include "program/slurm_job.h"
@@ -250,8 +251,9 @@ int run_sweep(const SweepArguments& arguments, const Study& study, const Scenari
               const Shard& shard) {
     WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
-    const long study_id = store.begin_study(study.name, study_identity(study));
     const InterruptWatch interrupt;
+    wait_for_others(store, arguments.database, interrupt.requested());
+    const long study_id = store.begin_study(study.name, study_identity(study));
     RunQueue queue;
     queue.first = shard.index;
     queue.stride = shard.count;
@@ -267,9 +269,6 @@ int run_sweep(const SweepArguments& arguments, const Study& study, const Scenari
     queue.on_event = [&](const QueueEvent& event) {
         log.take(event);
         log_of_writes.checkpoint_now_and_then();
-    };
-    queue.on_wait = [&] {
-        log_warning("{} is in use by another program; a run that has ended waits for it", arguments.database);
     };
     run_queue(queue, store);
     log.flush();
@@ -291,7 +290,7 @@ int sweep(SweepArguments arguments) {
     const Shard shard = shard_of(arguments.shard);
     const Study study = read_study(arguments.study);
     arguments.rules.taken = database_files(arguments.database);
-    for (const std::string& file : {study.file, study.case_file}) arguments.rules.taken.push_back(file);
+    for (const std::string& file : study_files(study)) arguments.rules.taken.push_back(file);
     if (!arguments.refused.empty())
         check_output_place(arguments.refused, "--refused", Folder::exists, arguments.rules);
     check_size(study, arguments.yes || arguments.dry_run);

@@ -8,6 +8,7 @@
 #include "program/answer.h"
 #include "program/command.h"
 #include "program/common_options.h"
+#include "program/number_option.h"
 #include "program/study_choice.h"
 #include "report/text/run_out_table.h"
 #include "report/text/table.h"
@@ -87,11 +88,9 @@ void add_table_command(CommandLine& program) {
         .add_option("--columns", &arguments->layout.columns,
                     "What its columns are: drop_height_m, source_type or a varied key")
         .value_name("word");
-    command
-        .add_option("--distance", &arguments->layout.distances,
-                    "Tell the probability of reaching this distance")
-        .value_name("m")
-        .not_negative();
+    add_number_option(command, "--distance", arguments->layout.distances,
+                      "Tell the probability of reaching this distance", not_negative)
+        .value_name("m");
     command.add_option("--format", &arguments->format, "text, csv, json, or (of a study) markdown")
         .value_name("word")
         .show_default();

@@ -12,6 +12,7 @@
 #include "program/common_options.h"
 #include "program/interrupt.h"
 #include "program/log.h"
+#include "program/patient_store.h"
 #include "report/page/validation_page.h"
 #include "store/store.h"
 #include "store/write_ahead.h"
@@ -112,6 +113,7 @@ int validate(ValidateArguments arguments) {
     const WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
     InterruptWatch interrupt;
+    wait_for_others(store, arguments.database, interrupt.requested());
     SuiteOptions options;
     options.cases_folder = arguments.cases;
     options.quick = arguments.quick;

@@ -8,6 +8,7 @@
 #include "engine/simulation.h"
 #include "measures/gauges.h"
 #include "scene/effect_settings.h"
+#include "scene/make_problem.h"
 
 namespace runout {
 namespace {
@@ -24,7 +25,7 @@ double thread_seconds() {
 
 /// CPU seconds of a step after release, with what is measured in it.
 double cost_of_step(const Scene& scene) {
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (!simulation.released()) simulation.step();
     GaugeRecorder gauges(scene.gauges, 0.0, 0.0);
     const double start = thread_seconds();
@@ -61,8 +62,10 @@ std::vector<MeasuredEffect> measure_effects(const Scene& scene) {
         effects.push_back({state.name, state.on, state.meaning, std::numeric_limits<double>::quiet_NaN()});
         if (!state.on) continue;
         scenes.push_back(coarse);
-        scenes.back().effects = without(coarse.effects, state.name);
-        if (state.name == "gauges") scenes.back().gauges.clear();
+        if (state.effect)
+            scenes.back().effects = without(coarse.effects, *state.effect);
+        else
+            scenes.back().gauges.clear();
     }
     if (scenes.size() == 1) return effects;
     const std::vector<double> costs = costs_of(scenes);

@@ -19,6 +19,7 @@
 #include "run/series.h"
 #include "run/snapshots.h"
 #include "scene/effect_settings.h"
+#include "scene/make_problem.h"
 
 namespace runout {
 namespace {
@@ -115,7 +116,7 @@ RunWork work_of(const Simulation& simulation) {
     const WorkCounts& counts = simulation.work();
     RunWork work;
     work.particles = static_cast<long>(state.x.size());
-    work.boundary_particles = simulation.wall().boundary_count;
+    work.boundary_particles = simulation.boundary_particles();
     work.particle_spacing_m = state.discretisation->spacing;
     work.steps = counts.steps;
     work.pressure_iterations = counts.pressure_iterations;
@@ -135,7 +136,7 @@ std::vector<EffectRow> effects_of(const Scene& scene, const Simulation& simulati
     for (const EffectState& state : effect_states(scene.effects, scene.gauges.size())) {
         EffectRow row{state.name, state.on, state.meaning, std::numeric_limits<double>::quiet_NaN()};
         for (const EffectCost& cost : simulation.effect_costs())
-            if (cost.effect == state.name) row.cost_s = cost.seconds;
+            if (cost.effect == state.effect) row.cost_s = cost.seconds;
         rows.push_back(std::move(row));
     }
     return rows;
@@ -215,7 +216,7 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
     const double thread_start = cpu_seconds(CLOCK_THREAD_CPUTIME_ID);
     const double program_start = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
     const PeakMemory memory;
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     Recorders recorders(scene, simulation, control.frames);
     RunResult result;
     double reported = -1.0;

@@ -164,7 +164,7 @@ std::vector<Parameter> release_parameters() {
                "Corners of that mass: [[chainage, elevation], ...]; what of it lies in the hill leaves the "
                "hill.",
                [](CaseSpec& spec, const Polyline& corners) {
-                   latest(named(spec.effects.release).masses).outline = corners;
+                   latest(named(spec.effects.release).masses).mass.outline = corners;
                }),
     };
 }
@@ -203,7 +203,7 @@ void begin_entry(CaseSpec& spec, std::string_view section) {
     if (section == "gauge") {
         spec.gauges.push_back({{}, std::nan("")});
     } else {
-        named(spec.effects.release).masses.push_back({std::nan(""), {}, {}, 0});
+        named(spec.effects.release).masses.push_back({std::nan(""), {}});
     }
 }
 

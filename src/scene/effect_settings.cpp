@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -123,9 +124,9 @@ void add(Settings& out, const StagedRelease& effect) {
         out.add("layer_width_m", width);
         out.add("layer_height_m", height);
     }
-    for (const auto& [time, outline, bed, area] : masses) {
+    for (const auto& [time, mass] : masses) {
         out.add("mass.time_s", time);
-        out.add("mass.points", out.to_section(outline));
+        out.add("mass.points", out.to_section(mass.outline));
     }
 }
 
@@ -138,26 +139,63 @@ void add(Settings& out, const ErodibleBed& effect) {
     out.add("to_chainage_m", high);
 }
 
-template <class Effect>
-void add_if_there(Settings& out, const std::optional<Effect>& effect) {
-    if (effect) add(out, *effect);
+/// All that the program says of an effect, but its keys.
+struct EffectEntry {
+    EffectId id;
+    const char* name;
+    const char* with;
+    const char* without;
+    bool (*is_on)(const Effects&);
+    void (*remove)(Effects&);
+    void (*add_settings)(Settings&, const Effects&);
+};
+
+template <auto member>
+constexpr EffectEntry entry(EffectId id, const char* name, const char* with, const char* without) {
+    return {id,
+            name,
+            with,
+            without,
+            [](const Effects& effects) { return (effects.*member).has_value(); },
+            [](Effects& effects) { (effects.*member).reset(); },
+            [](Settings& out, const Effects& effects) {
+                if (effects.*member) add(out, *(effects.*member));
+            }};
 }
+
+/// One row an effect, in the order of the documentation.
+constexpr std::array table = {
+    entry<&Effects::base_friction>(EffectId::base_friction, "base_friction",
+                                   "the bed has a friction of its own",
+                                   "the bed is rough: the soil's own friction holds on it"),
+    entry<&Effects::cohesion>(EffectId::cohesion, "cohesion", "strength that does not come from pressure",
+                              "the soil has friction only"),
+    entry<&Effects::rate>(EffectId::rate, "rate", "friction grows with the inertial number",
+                          "friction does not depend on the rate"),
+    entry<&Effects::pore_pressure>(EffectId::pore_pressure, "pore_pressure",
+                                   "water takes pressure off the grains",
+                                   "the soil is dry, or its friction angle stands for the water"),
+    entry<&Effects::barrier>(EffectId::barrier, "barrier", "a rigid obstacle on the bed",
+                             "nothing stands in the way"),
+    entry<&Effects::shaking>(EffectId::shaking, "shaking", "the ground is accelerated",
+                             "the ground is still"),
+    entry<&Effects::side_walls>(EffectId::side_walls, "side_walls", "friction on the walls of a channel",
+                                "the slide is infinitely wide"),
+    entry<&Effects::release>(EffectId::release, "release", "several releases, one after the other",
+                             "the whole source is let go at once"),
+    entry<&Effects::erodible_bed>(EffectId::erodible_bed, "erodible_bed", "a layer of the bed may move",
+                                  "the bed is rigid"),
+};
 
 }  // namespace
 
 std::vector<EffectSetting> effect_settings(const Effects& effects, const Profile& profile) {
-    const auto& [base_friction, cohesion, rate, pore_pressure, barrier, shaking, side_walls, release,
-                 erodible_bed] = effects;
+    // An effect without a row would be lost from records and hashes: a new member breaks this.
+    [[maybe_unused]] const auto& [base_friction, cohesion, rate, pore_pressure, barrier, shaking, side_walls,
+                                  release, erodible_bed] = effects;
+    static_assert(table.size() == 9);
     Settings out(profile);
-    add_if_there(out, base_friction);
-    add_if_there(out, cohesion);
-    add_if_there(out, rate);
-    add_if_there(out, pore_pressure);
-    add_if_there(out, barrier);
-    add_if_there(out, shaking);
-    add_if_there(out, side_walls);
-    add_if_there(out, release);
-    add_if_there(out, erodible_bed);
+    for (const EffectEntry& row : table) row.add_settings(out, effects);
     return out.take();
 }
 
@@ -170,41 +208,19 @@ std::string settings_text(const std::vector<EffectSetting>& settings, const std:
 }
 
 std::vector<EffectState> effect_states(const Effects& effects, std::size_t gauges) {
-    const auto state = [](const char* name, bool on, const char* with, const char* without) {
-        return EffectState{name, on, on ? with : without};
-    };
-    return {
-        state("base_friction", effects.base_friction.has_value(), "the bed has a friction of its own",
-              "the bed is rough: the soil's own friction holds on it"),
-        state("cohesion", effects.cohesion.has_value(), "strength that does not come from pressure",
-              "the soil has friction only"),
-        state("rate", effects.rate.has_value(), "friction grows with the inertial number",
-              "friction does not depend on the rate"),
-        state("pore_pressure", effects.pore_pressure.has_value(), "water takes pressure off the grains",
-              "the soil is dry, or its friction angle stands for the water"),
-        state("barrier", effects.barrier.has_value(), "a rigid obstacle on the bed",
-              "nothing stands in the way"),
-        state("shaking", effects.shaking.has_value(), "the ground is accelerated", "the ground is still"),
-        state("side_walls", effects.side_walls.has_value(), "friction on the walls of a channel",
-              "the slide is infinitely wide"),
-        state("release", effects.release.has_value(), "several releases, one after the other",
-              "the whole source is let go at once"),
-        state("erodible_bed", effects.erodible_bed.has_value(), "a layer of the bed may move",
-              "the bed is rigid"),
-        state("gauges", gauges > 0, "passing debris is measured", "nothing is measured on the way"),
-    };
+    std::vector<EffectState> states;
+    for (const EffectEntry& row : table) {
+        const bool on = row.is_on(effects);
+        states.push_back({row.id, row.name, on, on ? row.with : row.without});
+    }
+    states.push_back({std::nullopt, "gauges", gauges > 0,
+                      gauges > 0 ? "passing debris is measured" : "nothing is measured on the way"});
+    return states;
 }
 
-Effects without(Effects effects, const std::string& name) {
-    if (name == "base_friction") effects.base_friction.reset();
-    if (name == "cohesion") effects.cohesion.reset();
-    if (name == "rate") effects.rate.reset();
-    if (name == "pore_pressure") effects.pore_pressure.reset();
-    if (name == "barrier") effects.barrier.reset();
-    if (name == "shaking") effects.shaking.reset();
-    if (name == "side_walls") effects.side_walls.reset();
-    if (name == "release") effects.release.reset();
-    if (name == "erodible_bed") effects.erodible_bed.reset();
+Effects without(Effects effects, EffectId id) {
+    for (const EffectEntry& row : table)
+        if (row.id == id) row.remove(effects);
     return effects;
 }
 

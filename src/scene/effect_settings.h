@@ -1,10 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/effects/effects.h"
 #include "profile/profile.h"
-#include "scene/effects.h"
 
 namespace runout {
 
@@ -26,7 +27,8 @@ std::string settings_text(const std::vector<EffectSetting>& settings, const std:
 
 /// One effect of the program: whether the case asks for it, and what it says when it does not.
 struct EffectState {
-    std::string name;  ///< "pore_pressure", as in the case file
+    std::optional<EffectId> effect;  ///< none: the gauges
+    std::string name;                ///< "pore_pressure", as in the case file
     bool on = false;
     std::string meaning;  ///< "water in the pores takes off pressure", "no water: the soil is dry"
 };
@@ -34,7 +36,7 @@ struct EffectState {
 /// Every effect the program knows, and the gauges, on or off.
 std::vector<EffectState> effect_states(const Effects& effects, std::size_t gauges);
 
-/// The same effects without the one of that name.
-Effects without(Effects effects, const std::string& name);
+/// The same effects without one.
+Effects without(Effects effects, EffectId effect);
 
 }  // namespace runout

@@ -7,7 +7,8 @@
 
 namespace runout {
 
-/// The files that a case reads: itself, and those it names. No output may replace them.
+/// The files that a case reads: itself, those it names, and those that belong to them. No output may replace
+/// them.
 std::vector<std::string> input_files(const CaseSpec& spec);
 
 }  // namespace runout

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "scene/make_problem.h"
 #include "scene/shaking_record.h"
 #include "source/polygon_place.h"
 
@@ -133,22 +134,20 @@ StagedRelease place_release(const CaseSpec& spec, const Site& site) {
     Profile ground = site.profile;
     ground.ground = site.source.bed;
     double previous = 0;
-    for (LaterMass& mass : release.masses) {
-        if (!(mass.time > previous) || mass.outline.empty())
+    for (LaterMass& later : release.masses) {
+        if (!(later.time > previous) || later.mass.outline.empty())
             throw InputError(spec.place("effects.release.mass.time_s"),
                              "is not a later time with the points of its mass",
                              "give each [[effects.release.mass]] a time_s, rising, and points");
-        previous = mass.time;
+        previous = later.time;
         SourceSpec shape;
         shape.type = SourceType::polygon;
-        shape.points = mass.outline;
+        shape.points = later.mass.outline;
         shape.places = {{"source.points", spec.place("effects.release.mass.points")}};
         const Source source = derive_source(ground, shape);
         check_taken_once(spec, site, ground.ground, source.outline,
-                         static_cast<std::size_t>(&mass - release.masses.data()) + 1);
-        mass.outline = source.outline;
-        mass.bed = source.bed;
-        mass.area = source.area;
+                         static_cast<std::size_t>(&later - release.masses.data()) + 1);
+        later.mass = mass_of(source);
         ground.ground = source.bed;
     }
     return release;
@@ -186,6 +185,13 @@ std::vector<Gauge> place_gauges(const CaseSpec& spec, const Profile& profile) {
                              "give its chainage in metres");
         gauges[i].x = place_x(spec, profile, "gauge.chainage_m", gauges[i].x);
         if (gauges[i].name.empty()) gauges[i].name = fmt::format("gauge-{}", i + 1);
+        const auto end = gauges.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto same = std::ranges::find(gauges.begin(), end, gauges[i].name, &Gauge::name);
+        if (same != end)
+            throw InputError(spec.place("gauge.name"),
+                             fmt::format("names [[gauge]] {} and {} alike: {}", same - gauges.begin() + 1,
+                                         i + 1, gauges[i].name),
+                             "give each a name of its own");
     }
     return gauges;
 }

@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "engine/friction/yield_strength.h"
+
 namespace runout {
 namespace {
 
@@ -117,17 +119,6 @@ void check_water(const Scene& scene, double dry_strength, const PlaceOfKey& plac
 }
 
 }  // namespace
-
-double least_strength(const Material& material, const Effects& effects) {
-    double strength = std::sin(material.friction_angle);
-    if (!effects.base_friction) return strength;
-    const auto weaken = [&](double angle) {
-        if (!std::isnan(angle)) strength = std::min(strength, std::tan(angle));
-    };
-    weaken(effects.base_friction->angle);
-    for (const FrictionRange& range : effects.base_friction->ranges) weaken(range.angle);
-    return strength;
-}
 
 void check_comes_to_rest(const Scene& scene, const PlaceOfKey& place) {
     const bool cohesive = scene.effects.cohesion && scene.effects.cohesion->strength > 0;

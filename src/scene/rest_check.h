@@ -11,10 +11,6 @@ namespace runout {
 /// Where a key of the case was given.
 using PlaceOfKey = std::function<InputPlace(std::string_view key)>;
 
-/// What resists sliding on the bed where that is least, over the pressure: sin(phi), or tan(delta) of a
-/// weaker base.
-double least_strength(const Material& material, const Effects& effects);
-
 /// Throws InputError where friction is too little to end the motion within any section and no time limit ends
 /// it; cohesion ends it too. Sliding on level ground a mass that fell by H goes H / strength. The key that is
 /// to blame is named: the soil's own friction, the water, or the friction of a part of the bed on which the

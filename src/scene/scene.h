@@ -3,23 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "engine/problem.h"
 #include "profile/profile.h"
-#include "scene/effects.h"
+#include "scene/gauge.h"
 #include "source/source.h"
 
 namespace runout {
-
-/// Coulomb soil at critical state.
-struct Material {
-    double density = 2000;      ///< bulk, kg/m3
-    double friction_angle = 0;  ///< phi_crit, rad
-};
-
-/// How the deviatoric stress follows from the strain rate.
-enum class FrictionScheme {
-    projected,  ///< yield condition as a constraint, solved by projected iteration: stops
-    explicit_,  ///< eq. 8 from the current strain rate, the paper as printed: creeps
-};
 
 /// Numbers of the simulation that are not the ground, the mass or the soil.
 struct RunSettings {

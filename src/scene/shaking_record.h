@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scene/effects.h"
+#include "engine/effects/effects.h"
 
 namespace runout {
 

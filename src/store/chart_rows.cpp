@@ -8,6 +8,8 @@
 #include <array>
 #include <limits>
 
+#include "store/real_value.h"
+
 namespace runout {
 namespace {
 
@@ -35,7 +37,7 @@ ChartRow read_row(const SQLite::Statement& statement) {
     row.effects = statement.getColumn(place++).getString();
     for (const NumberColumn& column : number_columns) {
         const SQLite::Column number = statement.getColumn(place++);
-        row.*column.value = number.isNull() ? std::numeric_limits<double>::quiet_NaN() : number.getDouble();
+        row.*column.value = real_value(number);
     }
     return row;
 }

@@ -1,16 +1,15 @@
 #pragma once
 
-#include <SQLiteCpp/Column.h>
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 #include <fmt/ranges.h>
 
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "store/columns.h"
+#include "store/real_value.h"
 
 namespace runout {
 
@@ -28,11 +27,6 @@ void append_names(std::vector<std::string>& names, const Columns& columns) {
     for (const auto& column : columns) names.emplace_back(column.name);
 }
 
-/// SQLite stores a bound NaN as NULL and reads NULL as 0, so only the way back needs care.
-inline double real(const SQLite::Column& column) {
-    return column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
-}
-
 /// Binds the numbers of a row behind what was bound last, at `place`.
 template <class Row>
 void bind_numbers(SQLite::Statement& statement, int& place, const Row& row,
@@ -44,7 +38,8 @@ void bind_numbers(SQLite::Statement& statement, int& place, const Row& row,
 template <class Row>
 void read_numbers(const SQLite::Statement& statement, int& place, Row& row,
                   std::span<const RealColumn<Row>> columns) {
-    for (const RealColumn<Row>& column : columns) row.*column.value = real(statement.getColumn(place++));
+    for (const RealColumn<Row>& column : columns)
+        row.*column.value = real_value(statement.getColumn(place++));
 }
 
 }  // namespace runout

@@ -62,8 +62,9 @@ std::vector<GaugeRow> select_gauge_rows(Database& database, long run_id, long ga
     SQLite::bind(row, run_id, gauge);
     std::vector<GaugeRow> rows;
     while (row.executeStep())
-        rows.push_back({real(row.getColumn(0)), real(row.getColumn(1)), real(row.getColumn(2)),
-                        real(row.getColumn(3)), real(row.getColumn(4))});
+        rows.push_back({real_value(row.getColumn(0)), real_value(row.getColumn(1)),
+                        real_value(row.getColumn(2)), real_value(row.getColumn(3)),
+                        real_value(row.getColumn(4))});
     return rows;
 }
 
@@ -90,8 +91,9 @@ std::vector<BarrierRow> select_barrier_rows(Database& database, long run_id) {
     row.bind(1, run_id);
     std::vector<BarrierRow> rows;
     while (row.executeStep())
-        rows.push_back({real(row.getColumn(0)), real(row.getColumn(1)), real(row.getColumn(2)),
-                        real(row.getColumn(3)), real(row.getColumn(4))});
+        rows.push_back({real_value(row.getColumn(0)), real_value(row.getColumn(1)),
+                        real_value(row.getColumn(2)), real_value(row.getColumn(3)),
+                        real_value(row.getColumn(4))});
     return rows;
 }
 
@@ -119,7 +121,7 @@ std::vector<EffectRow> select_states(Database& database, long run_id) {
         const std::string name = effect.getColumn(0).getString();
         const auto row = std::ranges::find(rows, name, &EffectRow::name);
         if (row != rows.end())
-            *row = {name, true, effect.getColumn(1).getString(), real(effect.getColumn(2))};
+            *row = {name, true, effect.getColumn(1).getString(), real_value(effect.getColumn(2))};
     }
     return rows;
 }

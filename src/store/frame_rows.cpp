@@ -12,6 +12,7 @@
 
 #include "store/columns.h"
 #include "store/known_tables.h"
+#include "store/real_value.h"
 
 namespace runout {
 namespace {
@@ -87,7 +88,7 @@ std::vector<Frame> select_frames(SQLite::Database& database, long run_id) {
         Frame& frame = frames.emplace_back();
         int place = 0;
         for (const auto& column : frame_scale_columns())
-            frame.scale.*column.value = statement.getColumn(place++).getDouble();
+            frame.scale.*column.value = coordinate(statement.getColumn(place++));
         frame.x = codes_of<std::uint16_t>(statement.getColumn(place++));
         frame.y = codes_of<std::uint16_t>(statement.getColumn(place++));
         frame.speed = codes_of<std::uint8_t>(statement.getColumn(place++));

@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <set>
+#include <string_view>
 
 #include "store/schema_sql.h"
 
@@ -34,9 +37,36 @@ std::set<std::string> objects_of(Database& database) {
     return names;
 }
 
+/// What may refuse a row of a table.
+struct Constraints {
+    long unique_indices = 0;
+    std::size_t checks = 0;
+    bool operator==(const Constraints&) const = default;
+};
+
+std::size_t checks_in(std::string sql) {
+    std::erase_if(sql, [](unsigned char c) { return std::isspace(c) != 0; });
+    std::ranges::transform(sql, sql.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    constexpr std::string_view word = "check(";
+    std::size_t count = 0;
+    for (std::size_t at = sql.find(word); at != std::string::npos; at = sql.find(word, at + 1)) ++count;
+    return count;
+}
+
+Constraints constraints_of(Database& database, const std::string& table) {
+    Statement indices(database, "SELECT count(*) FROM pragma_index_list(?) WHERE \"unique\" = 1");
+    indices.bind(1, table);
+    Statement definition(database, "SELECT sql FROM sqlite_schema WHERE type = 'table' AND name = ?");
+    definition.bind(1, table);
+    if (!indices.executeStep() || !definition.executeStep()) return {};
+    return {indices.getColumn(0).getInt64(), checks_in(definition.getColumn(0).getString())};
+}
+
 /// What db/schema.sql makes of an empty file.
 struct Format {
     std::vector<KnownTable> tables;
+    std::map<std::string, Constraints> constraints;
     std::set<std::string> objects;
 
     Format() {
@@ -47,6 +77,7 @@ struct Format {
             if (object.starts_with("table ")) {
                 const std::string name = object.substr(6);
                 tables.push_back({name, columns_of(pristine, name)});
+                constraints[name] = constraints_of(pristine, name);
             }
     }
 };
@@ -70,6 +101,8 @@ void check_table(Database& database, const KnownTable& table) {
     for (const std::string& column : table.columns)
         if (std::ranges::find(columns, column) == columns.end())
             throw DamagedData(fmt::format("has a table {} without the column {}", table.name, column));
+    if (constraints_of(database, table.name) != format().constraints.at(table.name))
+        throw DamagedData(fmt::format("has a table {} with conditions that are not Runout's", table.name));
 }
 
 }  // namespace

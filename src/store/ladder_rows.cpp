@@ -8,6 +8,8 @@
 #include <array>
 #include <limits>
 
+#include "store/real_value.h"
+
 namespace runout {
 namespace {
 
@@ -59,7 +61,7 @@ std::vector<LadderRun> select_ladder_runs(Database& database, long ladder_id) {
     std::vector<LadderRun> runs;
     while (statement.executeStep())
         runs.push_back({statement.getColumn(0).getString(), statement.getColumn(1).getString(),
-                        statement.getColumn(2).getDouble(), statement.getColumn(3).getInt64()});
+                        real_value(statement.getColumn(2)), statement.getColumn(3).getInt64()});
     return runs;
 }
 
@@ -75,7 +77,7 @@ std::vector<LadderVerdict> select_verdicts(Database& database, long ladder_id) {
         verdict.verdict = statement.getColumn(place++).getString();
         for (const auto number : verdict_numbers) {
             const SQLite::Column column = statement.getColumn(place++);
-            verdict.*number = column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
+            verdict.*number = real_value(column);
         }
     }
     return verdicts;

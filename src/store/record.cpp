@@ -11,6 +11,7 @@
 
 #include "core/units.h"
 #include "store/known_tables.h"
+#include "store/real_value.h"
 #include "store/schema_comments.h"
 
 namespace runout {
@@ -34,7 +35,7 @@ bool is_among(const std::array<const char*, Count>& names, const std::string& na
 
 StoredValue value_of(const SQLite::Column& column) {
     if (column.isInteger()) return static_cast<long>(column.getInt64());
-    if (column.isFloat()) return column.getDouble();
+    if (column.isFloat() && std::isfinite(column.getDouble())) return column.getDouble();
     if (column.isText()) return column.getString();
     return {};
 }
@@ -58,7 +59,7 @@ std::vector<Vec2> points(Database& database, const std::string& sql, long id) {
     statement.bind(1, id);
     std::vector<Vec2> found;
     while (statement.executeStep())
-        found.emplace_back(statement.getColumn(0).getDouble(), statement.getColumn(1).getDouble());
+        found.emplace_back(coordinate(statement.getColumn(0)), coordinate(statement.getColumn(1)));
     return found;
 }
 
@@ -112,7 +113,7 @@ SectionGeometry select_geometry(Database& database, long run_id) {
     statement.bind(1, run_id);
     if (!statement.executeStep())
         throw DamagedData(fmt::format("has no scenario, source or section for run {}", run_id));
-    const auto real = [&](int column) { return statement.getColumn(column).getDouble(); };
+    const auto real = [&](int column) { return coordinate(statement.getColumn(column)); };
     SectionGeometry geometry;
     geometry.section_id = statement.getColumn(0).getInt64();
     const long source_id = statement.getColumn(1).getInt64();

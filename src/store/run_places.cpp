@@ -13,6 +13,7 @@
 #include <type_traits>
 
 #include "store/known_tables.h"
+#include "store/real_value.h"
 #include "store/scenario_hash.h"
 
 namespace runout {
@@ -87,7 +88,7 @@ long insert_line(Database& database, const MapLine& line, const std::string& has
 FieldValue value_of(const SQLite::Column& column) {
     if (column.isNull()) return {};
     if (column.isInteger()) return static_cast<long>(column.getInt64());
-    if (column.isFloat()) return column.getDouble();
+    if (column.isFloat() && std::isfinite(column.getDouble())) return column.getDouble();
     return column.getString();
 }
 
@@ -108,7 +109,7 @@ Polyline section_points(Database& database, const std::string& query, long run_i
     Polyline points;
     while (statement.executeStep())
         points.push_back(
-            frame.to_section({statement.getColumn(0).getDouble(), statement.getColumn(1).getDouble()}));
+            frame.to_section({coordinate(statement.getColumn(0)), coordinate(statement.getColumn(1))}));
     return points;
 }
 
@@ -148,8 +149,8 @@ MapLine select_map_line(Database& database, long line_id) {
                      "SELECT chainage_m, x, y FROM map_line_point WHERE line_id = ? ORDER BY point_index");
     points.bind(1, line_id);
     while (points.executeStep()) {
-        line.chainage_m.push_back(points.getColumn(0).getDouble());
-        line.points.emplace_back(points.getColumn(1).getDouble(), points.getColumn(2).getDouble());
+        line.chainage_m.push_back(coordinate(points.getColumn(0)));
+        line.points.emplace_back(coordinate(points.getColumn(1)), coordinate(points.getColumn(2)));
     }
     line.attributes = attributes_of(database, line_id);
     return line;
@@ -176,8 +177,8 @@ std::optional<RunPlace> select_place(Database& database, long run_id) {
                                             from_run));
     section.bind(1, run_id);
     if (!section.executeStep()) throw DamagedData(fmt::format("has no section for run {}", run_id));
-    frame.toe_chainage_m = section.getColumn(0).getDouble();
-    frame.toe_elevation_m = section.getColumn(1).getDouble();
+    frame.toe_chainage_m = coordinate(section.getColumn(0));
+    frame.toe_elevation_m = coordinate(section.getColumn(1));
     frame.descends_with_chainage = section.getColumn(2).getInt() != 0;
     const auto points = [&](const std::string& columns, const std::string& rest) {
         return section_points(database, fmt::format("SELECT {}{}{}", columns, from_run, rest), run_id, frame);

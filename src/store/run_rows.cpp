@@ -10,6 +10,7 @@
 
 #include "store/column_rows.h"
 #include "store/known_tables.h"
+#include "store/real_value.h"
 #include "store/run_places.h"
 
 namespace runout {
@@ -49,7 +50,7 @@ void read_work(const Statement& statement, int& place, RunWork& work) {
         using Number = std::remove_reference_t<decltype(work.*member)>;
         const SQLite::Column value = statement.getColumn(place++);
         if constexpr (std::is_same_v<Number, double>)
-            work.*member = real(value);
+            work.*member = real_value(value);
         else
             work.*member = static_cast<Number>(value.getInt64());
     };
@@ -181,20 +182,20 @@ StoredRun read_run(const Statement& row) {
     run.status = status_of(row.getColumn(place++).getString());
     run.scenario_hash = row.getColumn(place++).getString();
     run.source_type = row.getColumn(place++).getString();
-    run.discontinuity_angle_deg = row.getColumn(place++).getDouble();
+    run.discontinuity_angle_deg = coordinate(row.getColumn(place++));
     run.drop_height_datum = row.getColumn(place++).getString();
-    run.slope_angle_deg = row.getColumn(place++).getDouble();
-    run.toe_chainage_m = row.getColumn(place++).getDouble();
-    run.toe_elevation_m = row.getColumn(place++).getDouble();
-    run.crest_chainage_m = row.getColumn(place++).getDouble();
-    run.face_height_m = row.getColumn(place++).getDouble();
-    run.friction_angle_deg = row.getColumn(place++).getDouble();
+    run.slope_angle_deg = coordinate(row.getColumn(place++));
+    run.toe_chainage_m = coordinate(row.getColumn(place++));
+    run.toe_elevation_m = coordinate(row.getColumn(place++));
+    run.crest_chainage_m = coordinate(row.getColumn(place++));
+    run.face_height_m = coordinate(row.getColumn(place++));
+    run.friction_angle_deg = coordinate(row.getColumn(place++));
     run.host_threads = row.getColumn(place++).getInt();
     for (const auto& column : text_columns) run.*column.value = row.getColumn(place++).getString();
     read_work(row, place, run.work);
     read_appraisal(row, place, run.appraisal);
     for (const MeasureField& field : measure_fields())
-        run.measures.*field.value = real(row.getColumn(place++));
+        run.measures.*field.value = real_value(row.getColumn(place++));
     return run;
 }
 
@@ -321,7 +322,7 @@ std::vector<Snapshot> select_snapshots(Database& database, long run_id) {
     while (statement.executeStep()) {
         Snapshot snapshot;
         int place = 0;
-        snapshot.time_s = statement.getColumn(place++).getDouble();
+        snapshot.time_s = coordinate(statement.getColumn(place++));
         for (const SnapshotColumn& column : snapshot_columns())
             snapshot.*column.value = floats_of(statement.getColumn(place++));
         check_snapshot(snapshot, run_id);
@@ -352,7 +353,7 @@ std::vector<PhaseTime> select_phases(Database& database, long run_id) {
     statement.bind(1, run_id);
     std::vector<PhaseTime> rows;
     while (statement.executeStep())
-        rows.push_back({statement.getColumn(0).getString(), real(statement.getColumn(1))});
+        rows.push_back({statement.getColumn(0).getString(), real_value(statement.getColumn(1))});
     return rows;
 }
 
@@ -363,9 +364,9 @@ std::vector<InvariantRow> select_invariants(Database& database, long run_id) {
     statement.bind(1, run_id);
     std::vector<InvariantRow> rows;
     while (statement.executeStep())
-        rows.push_back({statement.getColumn(0).getString(), real(statement.getColumn(1)),
-                        real(statement.getColumn(2)), real(statement.getColumn(3)),
-                        real(statement.getColumn(4))});
+        rows.push_back({statement.getColumn(0).getString(), real_value(statement.getColumn(1)),
+                        real_value(statement.getColumn(2)), real_value(statement.getColumn(3)),
+                        real_value(statement.getColumn(4))});
     return rows;
 }
 

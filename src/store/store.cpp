@@ -11,6 +11,7 @@
 #include "core/input_error.h"
 #include "store/database.h"
 #include "store/database_file.h"
+#include "store/database_in_use.h"
 #include "store/effect_rows.h"
 #include "store/frame_rows.h"
 #include "store/known_tables.h"
@@ -26,6 +27,7 @@ struct Store::Impl {
     std::string path;
     Mode mode;
     std::unique_ptr<SQLite::Database> database;
+    std::function<bool()> on_wait{};
 
     /// What `use` makes of the database, with the database's own errors said as sentences.
     template <class Use>
@@ -37,6 +39,26 @@ struct Store::Impl {
         } catch (const DamagedData& damage) {
             throw InputError({.file = path, .line = 0, .key = {}, .value = {}}, damage.what(),
                              "take a copy that is whole");
+        }
+    }
+
+    /// What `use` writes, in one transaction; tried again while the file is in use, as on_wait says.
+    template <class Use>
+    auto write(const Use& use) const {
+        if (mode == Mode::read) throw std::logic_error("a write to a store that was opened for reading");
+        while (true) {
+            try {
+                return with_database([&](SQLite::Database& writing) {
+                    // Immediate: a second writer waits here, and not halfway, where SQLite could only refuse
+                    // it.
+                    SQLite::Transaction transaction(writing, SQLite::TransactionBehavior::IMMEDIATE);
+                    const auto written = use(writing);
+                    transaction.commit();
+                    return written;
+                });
+            } catch (const DatabaseInUse&) {
+                if (!on_wait || !on_wait()) throw;
+            }
         }
     }
 };
@@ -53,13 +75,9 @@ long Store::add(const Scene& scene, const RunResult& result, const Appraisal& ap
 }
 
 long Store::add(const EndedRun& run) {
-    if (impl_->mode == Mode::read)
-        throw std::logic_error("Store::add on a store that was opened for reading");
     if (run.result.status == RunStatus::running)
         throw std::logic_error("Store::add of a run that has not ended");
-    return impl_->with_database([&](SQLite::Database& database) {
-        // Immediate: a second writer waits here, and not halfway, where SQLite could only refuse it.
-        SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+    return impl_->write([&](SQLite::Database& database) {
         const long run_id = insert_run(database, scenario_row(database, run.scene), run.description);
         if (run.scene.profile.map_line) set_map_line(database, run_id, *run.scene.profile.map_line);
         insert_series(database, run_id, run.result.series);
@@ -71,20 +89,12 @@ long Store::add(const EndedRun& run) {
         insert_effects(database, run_id, run.description);
         insert_invariants(database, run_id, run.result.invariants);
         insert_pilots(database, run_id, run.pilots);
-        transaction.commit();
         return run_id;
     });
 }
 
 long Store::add(const StoredLadder& ladder) {
-    if (impl_->mode == Mode::read)
-        throw std::logic_error("Store::add on a store that was opened for reading");
-    return impl_->with_database([&](SQLite::Database& database) {
-        SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-        const long ladder_id = insert_ladder(database, ladder);
-        transaction.commit();
-        return ladder_id;
-    });
+    return impl_->write([&](SQLite::Database& database) { return insert_ladder(database, ladder); });
 }
 
 std::vector<StoredLadder> Store::ladders() const {
@@ -101,27 +111,20 @@ std::vector<PilotRow> Store::pilots(long run_id) const {
 }
 
 long Store::begin_study(const std::string& name, const std::string& text) {
-    return impl_->with_database([&](SQLite::Database& database) {
-        SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-        const long study_id = study_row(database, name, text);
-        transaction.commit();
-        return study_id;
-    });
+    return impl_->write([&](SQLite::Database& database) { return study_row(database, name, text); });
 }
 
 void Store::set_study_scenarios(long study_id, const std::vector<StudyScenario>& rows) {
-    impl_->with_database([&](SQLite::Database& database) {
-        SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+    impl_->write([&](SQLite::Database& database) {
         runout::set_study_scenarios(database, study_id, rows);
-        transaction.commit();
+        return rows.size();
     });
 }
 
 void Store::set_sections(const SectionsTaken& sections) {
-    impl_->with_database([&](SQLite::Database& database) {
-        SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+    impl_->write([&](SQLite::Database& database) {
         runout::set_sections(database, sections);
-        transaction.commit();
+        return sections.taken.size();
     });
 }
 
@@ -145,6 +148,10 @@ std::vector<ChartRow> Store::chart_rows(std::optional<long> study_id) const {
 
 void Store::set_patience(std::chrono::milliseconds patience) {
     impl_->database->setBusyTimeout(static_cast<int>(patience.count()));
+}
+
+void Store::set_on_wait(std::function<bool()> on_wait) {
+    impl_->on_wait = std::move(on_wait);
 }
 
 MergeCounts Store::merge(const std::string& path) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -220,6 +221,9 @@ class Store {
 
     /// How long a write waits for another program before it throws DatabaseInUse; 30 s unless said otherwise.
     void set_patience(std::chrono::milliseconds patience);
+    /// Called each time a write has waited for that long: true lets it try again, so that what has ended is
+    /// not lost.
+    void set_on_wait(std::function<bool()> on_wait);
 
     /// Copies what is missing here from the results database at `path` (see store/merge.h). All or nothing.
     /// Throws InputError, naming the one of the two that is at fault.

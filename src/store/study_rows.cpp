@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "store/known_tables.h"
+#include "store/real_value.h"
 
 namespace runout {
 namespace {
@@ -64,7 +65,7 @@ StudyRow read_row(const Statement& statement) {
         row.*column.value = statement.getColumn(place++).getString();
     for (const NumberColumn& column : number_columns) {
         const SQLite::Column number = statement.getColumn(place++);
-        row.*column.value = number.isNull() ? std::numeric_limits<double>::quiet_NaN() : number.getDouble();
+        row.*column.value = real_value(number);
     }
     return row;
 }

@@ -73,13 +73,11 @@ class Workers {
 
     /// Its id; none when the user stopped the waiting.
     std::optional<long> stored(const Scene& scene, const RunResult& result) {
-        while (true) {
-            try {
-                return store_.add(scene, result);
-            } catch (const DatabaseInUse&) {
-                if (stopped()) return std::nullopt;
-                if (queue_.on_wait) queue_.on_wait();
-            }
+        try {
+            return store_.add(scene, result);
+        } catch (const DatabaseInUse&) {
+            if (stopped()) return std::nullopt;
+            throw;
         }
     }
 

@@ -30,14 +30,13 @@ struct RunQueue {
     int workers = 1;
     /// Called for each job, never twice at once.
     std::function<void(const QueueEvent&)> on_event;
-    std::function<void()>
-        on_wait;  ///< called each time the store has been in use by another program for long
     const std::atomic<bool>* interrupt = nullptr;  ///< set to true to stop; what has ended is stored
 };
 
 /// Runs what `store` lacks, in the order of the jobs, and stores each run as it ends: a program that is
-/// killed loses only what it was at. While another program holds the store, a run that has ended waits. Of
-/// jobs with one scenario the first is simulated. Throws what a scene threw first.
+/// killed loses only what it was at. While another program holds the store, a run that has ended waits as the
+/// store was told (Store::set_on_wait). Of jobs with one scenario the first is simulated. Throws what a scene
+/// threw first.
 void run_queue(const RunQueue& queue, Store& store);
 
 }  // namespace runout

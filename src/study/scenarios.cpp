@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
@@ -99,10 +100,19 @@ void check_count(const Study& study, double count) {
                         most_combinations_of_a_study));
 }
 
-CaseSpec with_settings(const CaseSpec& base, const Settings& settings, const std::string& file) {
+CaseSpec with_settings(const CaseSpec& base, const Settings& settings,
+                       const std::map<std::string, std::string>& places) {
     CaseSpec spec = base;
-    for (const auto& [key, value] : settings) override_value(spec, key, value, file);
+    for (const auto& [key, value] : settings) override_value(spec, key, value, places.at(key));
     return spec;
+}
+
+/// "study.toml, line 5", for each key that is varied.
+std::map<std::string, std::string> places_of(const Study& study) {
+    std::map<std::string, std::string> places;
+    for (const Factor& factor : study.factors)
+        places[factor.key] = fmt::format("{}, line {}", study.file, factor.place.line);
+    return places;
 }
 
 CaseSpec base_of(const Study& study) {
@@ -166,9 +176,10 @@ std::vector<Setting> Combinations::operator[](std::size_t index) const {
 }
 
 ScenarioList::ScenarioList(const Study& study)
-    : base_(base_of(study)), file_(study.file), combinations_(study) {
+    : base_(base_of(study)), places_of_keys_(places_of(study)), combinations_(study) {
     for (std::size_t k = 0; k < combinations_.size(); ++k) {
-        std::vector<SectionCase> sections = section_cases(with_settings(base_, combinations_[k], file_));
+        std::vector<SectionCase> sections =
+            section_cases(with_settings(base_, combinations_[k], places_of_keys_));
         const bool many = sections.size() > 1;
         check_count(study, static_cast<double>(places_.size() + sections.size()));
         for (SectionCase& section : sections) {
@@ -186,7 +197,7 @@ Scenario ScenarioList::operator[](std::size_t index) const {
 
 CaseSpec ScenarioList::case_of(std::size_t index) const {
     const Scenario scenario = (*this)[index];
-    CaseSpec spec = with_settings(base_, scenario.settings, file_);
+    CaseSpec spec = with_settings(base_, scenario.settings, places_of_keys_);
     spec.name = scenario.name;
     if (!scenario.line) return spec;
     if (scenario.line->feature.refusal) throw InputError(*scenario.line->feature.refusal);

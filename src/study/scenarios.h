@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -64,7 +65,7 @@ class ScenarioList {
         std::shared_ptr<const SectionFeature> line;
     };
     CaseSpec base_;
-    std::string file_;
+    std::map<std::string, std::string> places_of_keys_;  ///< file and line where each is varied
     Combinations combinations_;
     std::vector<Place> places_;
 };

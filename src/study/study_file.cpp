@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "scene/toml_reading.h"
@@ -154,6 +156,7 @@ class StudyReader {
             throw InputError(place(name, node), "is an empty list", "give at least one value");
         if (std::ranges::find(path_keys, name) != path_keys.end())
             for (std::string& value : values) value = in_folder(value);
+        check_values_differ(name, node, values);
         return values;
     }
 
@@ -192,7 +195,23 @@ class StudyReader {
         std::vector<std::string> values;
         for (int k = 0; k <= static_cast<int>(count); ++k)
             values.push_back(fmt::format("{:.12g}", from + k * step));
+        check_values_differ(name, table, values);
         return values;
+    }
+
+    /// A value that stands there twice would count twice in what the table says of probabilities.
+    void check_values_differ(const std::string& name, const toml::node& node,
+                             const std::vector<std::string>& values) const {
+        std::set<std::string> seen;
+        for (const std::string& value : values) {
+            double number = 0;
+            const char* const end = value.data() + value.size();
+            const auto read = std::from_chars(value.data(), end, number);
+            const bool is_number = read.ec == std::errc{} && read.ptr == end;
+            if (!seen.insert(is_number ? fmt::format("{}", number) : value).second)
+                throw InputError(place(name, node), fmt::format("gives {} twice", value),
+                                 "give each value once");
+        }
     }
 
     [[nodiscard]] Distribution distribution(const std::string& name, const toml::table& table) const {
@@ -260,6 +279,12 @@ class StudyReader {
             if (!(std::abs(correlation.rank) < 1) || correlation.first == correlation.second)
                 throw InputError(place("correlation.rank", item), "is not a correlation of two things",
                                  "give a number between -1 and 1, and two different keys");
+            if (std::ranges::any_of(study_.correlations, [&](const Correlation& earlier) {
+                    return std::minmax(earlier.first, earlier.second) ==
+                           std::minmax(correlation.first, correlation.second);
+                }))
+                throw InputError(place("correlation.between", item),
+                                 "names two keys that are correlated before", "say it once");
             study_.correlations.push_back(correlation);
         }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "study/study_file.h"
 
@@ -10,5 +11,8 @@ namespace runout {
 /// scenarios from - its case, and the sections, rasters and records that case or study name. Two studies with
 /// one text ask the same. Throws InputError: a case that cannot be read.
 std::string study_identity(const Study& study);
+
+/// The files that a study reads, itself among them: no output may replace them. Throws InputError as above.
+std::vector<std::string> study_files(const Study& study);
 
 }  // namespace runout

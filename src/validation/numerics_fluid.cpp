@@ -12,15 +12,6 @@ namespace {
 constexpr double smoothing_ratio = 1.3;
 constexpr double pressure_wave_courant = 0.5;  // that of Simulation
 
-Soil soil_on(const std::vector<Vec2>& points) {
-    std::vector<double> x, y;
-    for (const Vec2& p : points) {
-        x.push_back(p.x());
-        y.push_back(p.y());
-    }
-    return soil_at(x, y);
-}
-
 }  // namespace
 
 std::vector<Vec2> lattice(double spacing, const Vec2& lower, const Vec2& upper) {
@@ -49,25 +40,24 @@ BedLine no_bed() {
 }
 
 Cloud::Cloud(double spacing, const std::vector<Vec2>& points, const BedLine& bed_line)
-    : d(make_discretisation(spacing, smoothing_ratio, density)),
-      bed(bed_line),
-      soil(soil_on(points)),
-      wall(make_wall(bed, d)),
-      search(d, 1) {
+    : d(make_discretisation(spacing, smoothing_ratio, density)), search(d, 1) {
+    soil = soil_at(points);
+    wall = make_wall(bed_line, d);
     find();
 }
 
 void Cloud::find() {
     search.sort(soil);
-    search.find(soil, wall, n);
+    search.find(soil, wall, neighbours);
 }
 
-void Cloud::pressure_gradient(const std::vector<double>& pressure, std::vector<double>& gx,
-                              std::vector<double>& gy) const {
-    gx.assign(n.nodes, 0.0);
-    gy.assign(n.nodes, 0.0);
-    for (const PairBlock& block : n.blocks)
-        pair_kernels().pressure_gradient(pair_rows(block, n), pressure.data(), gx.data(), gy.data());
+NodeVectors Cloud::pressure_gradient(const std::vector<double>& pressure) const {
+    const auto nodes = static_cast<std::size_t>(neighbours.nodes);
+    NodeVectors gradient{std::vector(nodes, 0.0), std::vector(nodes, 0.0)};
+    for (const PairBlock& block : neighbours.blocks)
+        pair_kernels().pressure_gradient(pair_rows(block, neighbours), pressure.data(), gradient.x.data(),
+                                         gradient.y.data());
+    return gradient;
 }
 
 Fluid::Fluid(double spacing, const std::vector<Vec2>& points, const BedLine& bed, double speed, double length,
@@ -75,14 +65,14 @@ Fluid::Fluid(double spacing, const std::vector<Vec2>& points, const BedLine& bed
     : cloud(spacing, points, bed),
       gravity_(gravity),
       friction_(cloud.d, YieldStrength(Material{density, 0.0}, {}, {}), FrictionScheme::projected,
-                RunSettings{}.friction_iterations),
-      pressure_(cloud.d, speed * speed / length, length, RunSettings{}.pressure_tolerance) {}
+                SolverSettings{}.friction_iterations),
+      pressure_(cloud.d, speed * speed / length, length, SolverSettings{}.pressure_tolerance) {}
 
 double Fluid::time_step() const {
     double speed2 = 0.0;
     for (int i = 0; i < cloud.soil.count; ++i)
         speed2 = std::max(speed2, std::pow(cloud.soil.vx[i], 2) + std::pow(cloud.soil.vy[i], 2));
-    const double passage = RunSettings{}.courant * cloud.d.spacing / std::sqrt(speed2);
+    const double passage = SolverSettings{}.courant * cloud.d.spacing / std::sqrt(speed2);
     if (highest_pressure_ <= 0.0) return passage;
     return std::min(passage,
                     pressure_wave_courant * cloud.d.spacing / std::sqrt(highest_pressure_ / density));
@@ -92,12 +82,11 @@ void Fluid::step(double end) {
     Soil& soil = cloud.soil;
     cloud.find();
     const double dt = std::min(time_step(), end - time_);
-    friction_.predict(cloud.n, soil, cloud.wall, {.dt = dt, .body = {0.0, -gravity_}}, vx_, vy_);
-    highest_pressure_ = pressure_.solve(cloud.n, soil, cloud.wall, vx_, vy_, {.dt = dt}).highest;
-    cloud.pressure_gradient(pressure_.node_pressure(), gx_, gy_);
+    friction_.predict(cloud, {.dt = dt, .body = {0.0, -gravity_}}, predicted_, gradient_);
+    highest_pressure_ = pressure_.solve(cloud, predicted_, {.dt = dt}, gradient_).highest;
     for (int i = 0; i < soil.count; ++i) {
-        soil.vx[i] = vx_[i] - dt / density * gx_[i];
-        soil.vy[i] = vy_[i] - dt / density * gy_[i];
+        soil.vx[i] = predicted_.x[i] - dt / density * gradient_.x[i];
+        soil.vy[i] = predicted_.y[i] - dt / density * gradient_.y[i];
         soil.x[i] += dt * soil.vx[i];
         soil.y[i] += dt * soil.vy[i];
     }
@@ -109,10 +98,10 @@ void Fluid::step(double end) {
 void Fluid::guard_wall() {
     Soil& soil = cloud.soil;
     for (int i = 0; i < soil.count; ++i) {
-        const int boundary = cloud.n.nearest_boundary[i];
+        const int boundary = cloud.neighbours.nearest_boundary[i];
         if (boundary < 0) continue;
         const BedLine::Nearest near =
-            cloud.bed.nearest({soil.x[i], soil.y[i]}, cloud.wall.segment[boundary], 8);
+            cloud.wall.line.nearest({soil.x[i], soil.y[i]}, cloud.wall.segment[boundary], 8);
         if (near.distance >= 0.0) continue;
         const double back = std::min(-near.distance, 0.5 * cloud.d.spacing);
         const double inward = std::max(0.0, -(soil.vx[i] * near.normal.x() + soil.vy[i] * near.normal.y()));

@@ -4,10 +4,8 @@
 
 #include "core/geometry.h"
 #include "engine/friction/friction.h"
-#include "engine/pairs/neighbours.h"
+#include "engine/pairs/particle_system.h"
 #include "engine/particles/bed_line.h"
-#include "engine/particles/soil.h"
-#include "engine/particles/wall.h"
 #include "engine/pressure/pressure_solver.h"
 
 namespace runout::numerics {
@@ -20,21 +18,16 @@ std::vector<Vec2> lattice(double spacing, const Vec2& lower, const Vec2& upper);
 void jitter(std::vector<Vec2>& points, double spacing, double share, unsigned seed);
 
 /// Particles, bed and who is near whom, by the engine's own parts.
-struct Cloud {
+struct Cloud : ParticleSystem {
     Cloud(double spacing, const std::vector<Vec2>& points, const BedLine& bed_line);
 
     /// Sorts the particles and finds their neighbours where they stand now.
     void find();
     /// Pressure gradient of eq. 4 of a pressure per node, Pa/m.
-    void pressure_gradient(const std::vector<double>& pressure, std::vector<double>& gx,
-                           std::vector<double>& gy) const;
+    [[nodiscard]] NodeVectors pressure_gradient(const std::vector<double>& pressure) const;
 
     Discretisation d;
-    BedLine bed;
-    Soil soil;
-    Wall wall;
     NeighbourSearch search;
-    Neighbours n;
 };
 
 /// First moment of the kernel's gradient over the full lattice, 1 in the limit of many neighbours: what the
@@ -67,7 +60,7 @@ class Fluid {
     double gravity_;
     Friction friction_;
     PressureSolver pressure_;
-    std::vector<double> vx_, vy_, gx_, gy_;
+    NodeVectors predicted_, gradient_;
     double highest_pressure_ = 0;
     double time_ = 0;
 };

@@ -33,15 +33,16 @@ bool is_inside(const Soil& soil, int i) {
 /// Calls f(i, renormalised gradient) inside, for the velocity (u, v) as functions of x, y.
 template <class U, class V, class Function>
 void renormalised(const Cloud& cloud, const U& u, const V& v, const Function& f) {
-    std::vector<FloatPair> velocity(cloud.n.nodes);
+    std::vector<FloatPair> velocity(cloud.neighbours.nodes);
     for (int i = 0; i < cloud.soil.count; ++i) {
         velocity[i] = {static_cast<float>(u(cloud.soil.x[i], cloud.soil.y[i])),
                        static_cast<float>(v(cloud.soil.x[i], cloud.soil.y[i]))};
     }
-    for (const PairBlock& block : cloud.n.blocks) {
-        for_each_velocity_gradient(block, cloud.n, velocity.data(),
+    for (const PairBlock& block : cloud.neighbours.blocks) {
+        for_each_velocity_gradient(block, cloud.neighbours, velocity.data(),
                                    [&](int i, const VelocityGradient& plain) {
-                                       if (is_inside(cloud.soil, i)) f(i, plain.corrected(cloud.n, i));
+                                       if (is_inside(cloud.soil, i))
+                                           f(i, plain.corrected(cloud.neighbours, i));
                                    });
     }
 }
@@ -79,17 +80,17 @@ double renormalised_error(int cells, double jitter_of) {
 /// L2 error of the plain pressure gradient of p = 2 + sin(pi x) cos(pi y), over `factor`.
 double plain_error(int cells, double jitter_of, double factor) {
     const Cloud cloud = unit_square(cells, jitter_of);
-    std::vector<double> p(cloud.n.nodes, 0.0), gx, gy;
+    std::vector<double> p(cloud.neighbours.nodes, 0.0);
     for (int i = 0; i < cloud.soil.count; ++i)
         p[i] = 2.0 + std::sin(pi * cloud.soil.x[i]) * std::cos(pi * cloud.soil.y[i]);
-    cloud.pressure_gradient(p, gx, gy);
+    const NodeVectors gradient = cloud.pressure_gradient(p);
     double error2 = 0.0, size2 = 0.0;
     for (int i = 0; i < cloud.soil.count; ++i) {
         if (!is_inside(cloud.soil, i)) continue;
         const double x = cloud.soil.x[i], y = cloud.soil.y[i];
         const Vec2 wanted{pi * std::cos(pi * x) * std::cos(pi * y),
                           -pi * std::sin(pi * x) * std::sin(pi * y)};
-        error2 += (Vec2{gx[i], gy[i]} / factor - wanted).squaredNorm();
+        error2 += (Vec2{gradient.x[i], gradient.y[i]} / factor - wanted).squaredNorm();
         size2 += wanted.squaredNorm();
     }
     return std::sqrt(error2 / size2);

@@ -40,15 +40,16 @@ Vec2 solenoidal(double x, double y) {
 }
 
 /// `share` of the solenoidal field plus grad phi, by node.
-void fill(const Cloud& cloud, double share, std::vector<double>& vx, std::vector<double>& vy) {
-    vx.assign(cloud.n.nodes, 0.0);
-    vy.assign(cloud.n.nodes, 0.0);
+NodeVectors field_on(const Cloud& cloud, double share) {
+    const auto nodes = static_cast<std::size_t>(cloud.neighbours.nodes);
+    NodeVectors field{std::vector(nodes, 0.0), std::vector(nodes, 0.0)};
     for (int i = 0; i < cloud.soil.count; ++i) {
         const double x = cloud.soil.x[i], y = cloud.soil.y[i];
         const Vec2 v = share * solenoidal(x, y) + slope(x, y);
-        vx[i] = v.x();
-        vy[i] = v.y();
+        field.x[i] = v.x();
+        field.y[i] = v.y();
     }
+    return field;
 }
 
 /// The lattice's divergence of the gradient over its Laplacian of eq. 5, for long waves: what is not 1 is due
@@ -69,9 +70,8 @@ double laplacian_ratio(const Discretisation& d) {
 double manufactured_error(int cells, double ratio) {
     Cloud cloud = full_box(cells);
     PressureSolver solver(cloud.d, no_gravity, 1.0, tolerance);
-    std::vector<double> vx, vy;
-    fill(cloud, 0.0, vx, vy);
-    solver.solve(cloud.n, cloud.soil, cloud.wall, vx, vy, {density, 0.0, false, 1.0});
+    NodeVectors gradient;
+    solver.solve(cloud, field_on(cloud, 0.0), {density, 0.0, false, 1.0}, gradient);
     double error2 = 0.0, size2 = 0.0;
     for (int i = 0; i < cloud.soil.count; ++i) {
         const double wanted = potential(cloud.soil.x[i], cloud.soil.y[i]);
@@ -86,15 +86,13 @@ double manufactured_error(int cells, double ratio) {
 double projection_error(int cells, int count) {
     Cloud cloud = full_box(cells);
     PressureSolver solver(cloud.d, no_gravity, 1.0, tolerance);
-    std::vector<double> vx, vy, gx, gy;
-    fill(cloud, 1.0, vx, vy);
-    for (int k = 0; k < count; ++k)
-        solver.solve(cloud.n, cloud.soil, cloud.wall, vx, vy, {density, 1.0, false, 1.0});
-    cloud.pressure_gradient(solver.node_pressure(), gx, gy);
+    const NodeVectors field = field_on(cloud, 1.0);
+    NodeVectors gradient;
+    for (int k = 0; k < count; ++k) solver.solve(cloud, field, {density, 1.0, false, 1.0}, gradient);
     double error2 = 0.0, size2 = 0.0;
     for (int i = 0; i < cloud.soil.count; ++i) {
         const Vec2 wanted = solenoidal(cloud.soil.x[i], cloud.soil.y[i]);
-        error2 += (Vec2{vx[i] - gx[i], vy[i] - gy[i]} - wanted).squaredNorm();
+        error2 += (Vec2{field.x[i] - gradient.x[i], field.y[i] - gradient.y[i]} - wanted).squaredNorm();
         size2 += wanted.squaredNorm();
     }
     return std::sqrt(error2 / size2);

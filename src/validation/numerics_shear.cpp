@@ -32,7 +32,7 @@ class ShearedBlock {
   public:
     /// `inertial_number`: rate dl sqrt(rho / p). `step`: in dl / sqrt(p / rho).
     ShearedBlock(FrictionScheme scheme, double inertial_number, double step);
-    void shear() { friction_.predict(cloud_.n, cloud_.soil, cloud_.wall, {.dt = dt_}, vx_, vy_); }
+    void shear() { friction_.predict(cloud_, {.dt = dt_}, predicted_, gradient_); }
     [[nodiscard]] ShearStress stress() const;
     /// Shear strain in one step.
     [[nodiscard]] double strain() const { return rate_ * dt_; }
@@ -43,7 +43,7 @@ class ShearedBlock {
     double rate_, dt_;
     Cloud cloud_;
     Friction friction_;
-    std::vector<double> vx_, vy_;
+    NodeVectors predicted_, gradient_;
 };
 
 ShearedBlock::ShearedBlock(FrictionScheme scheme, double inertial_number, double step)
@@ -51,7 +51,7 @@ ShearedBlock::ShearedBlock(FrictionScheme scheme, double inertial_number, double
       dt_(step / cells / std::sqrt(pressure / density)),
       cloud_(1.0 / cells, lattice(1.0 / cells, {-0.5, -0.5}, {0.5, 0.5}), no_bed()),
       friction_(cloud_.d, YieldStrength(Material{density, radians(friction_angle_deg)}, {}, {}), scheme,
-                RunSettings{}.friction_iterations) {
+                SolverSettings{}.friction_iterations) {
     Soil& soil = cloud_.soil;
     std::fill_n(soil.pressure.begin(), soil.count, pressure);
     for (int i = 0; i < soil.count; ++i) soil.vx[i] = rate_ * soil.y[i];
@@ -62,12 +62,12 @@ ShearedBlock::ShearedBlock(FrictionScheme scheme, double inertial_number, double
 /// an even pressure does not vanish; it is taken out beforehand.
 void ShearedBlock::balance_pressure() {
     Soil& soil = cloud_.soil;
-    std::vector<double> node_pressure(cloud_.n.nodes, 0.0), gx, gy;
+    std::vector<double> node_pressure(cloud_.neighbours.nodes, 0.0);
     std::fill_n(node_pressure.begin(), soil.count, pressure);
-    cloud_.pressure_gradient(node_pressure, gx, gy);
+    const NodeVectors gradient = cloud_.pressure_gradient(node_pressure);
     for (int i = 0; i < soil.count; ++i) {
-        soil.vx[i] += dt_ / density * gx[i];
-        soil.vy[i] += dt_ / density * gy[i];
+        soil.vx[i] += dt_ / density * gradient.x[i];
+        soil.vy[i] += dt_ / density * gradient.y[i];
     }
 }
 

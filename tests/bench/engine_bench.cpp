@@ -16,6 +16,7 @@
 #include "engine/pressure/pressure_solver.h"
 #include "engine/simulation.h"
 #include "filled_box.h"
+#include "scene/make_problem.h"
 #include "scenes.h"
 
 namespace runout {
@@ -48,21 +49,21 @@ void MemoryTriad(benchmark::State& state) {
 
 void FindNeighbours(benchmark::State& state) {
     Filled f(cells_for(state));
-    for (auto _ : state) f.search.find(f.soil, f.wall, f.n);
+    for (auto _ : state) f.search.find(f.soil, f.wall, f.neighbours);
     count_per_particle(state, f.soil.count);
 }
 
 /// Bytes of the pair rows that one pass of the divergence streams: column, gx, gy.
 void StressDivergence(benchmark::State& state) {
     Filled f(cells_for(state));
-    std::vector<FloatPair> stress(f.n.nodes, FloatPair{1.0F, 0.5F});
-    std::vector<FloatPair> force(f.n.nodes);
+    std::vector<FloatPair> stress(f.neighbours.nodes, FloatPair{1.0F, 0.5F});
+    std::vector<FloatPair> force(f.neighbours.nodes);
     std::size_t pairs = 0;
-    for (const PairBlock& block : f.n.blocks)
+    for (const PairBlock& block : f.neighbours.blocks)
         pairs += static_cast<std::size_t>(block.offset[slices_per_block]);
     for (auto _ : state) {
-        for (const PairBlock& block : f.n.blocks)
-            pair_kernels().stress_divergence(pair_rows(block, f.n), stress.data(), force.data());
+        for (const PairBlock& block : f.neighbours.blocks)
+            pair_kernels().stress_divergence(pair_rows(block, f.neighbours), stress.data(), force.data());
         benchmark::ClobberMemory();
     }
     count_per_particle(state, f.soil.count);
@@ -73,11 +74,11 @@ void StressDivergence(benchmark::State& state) {
 
 void PressureProduct(benchmark::State& state) {
     Filled f(cells_for(state));
-    std::vector<double> x(f.n.nodes, 1.0);
-    std::vector<double> out(f.n.nodes);
+    std::vector<double> x(f.neighbours.nodes, 1.0);
+    std::vector<double> out(f.neighbours.nodes);
     for (auto _ : state) {
-        for (const PairBlock& block : f.n.blocks)
-            pair_kernels().pressure_product(pair_rows(block, f.n), x.data(), x.data(), out.data());
+        for (const PairBlock& block : f.neighbours.blocks)
+            pair_kernels().pressure_product(pair_rows(block, f.neighbours), x.data(), x.data(), out.data());
         benchmark::ClobberMemory();
     }
     count_per_particle(state, f.soil.count);
@@ -88,13 +89,12 @@ void PressureSolve(benchmark::State& state) {
     const int cells = cells_for(state);
     Filled f(cells);
     PressureSolver solver(f.d, gravity, 1.0, 1e-2);
-    std::vector<double> vx(f.n.nodes, 0.0);
-    std::vector<double> vy(f.n.nodes, 0.0);
-    std::fill(vy.begin(), vy.begin() + f.soil.count, -gravity * 1e-3);
+    const NodeVectors velocity = even_velocity(f, {0.0, -gravity * 1e-3});
+    NodeVectors gradient;
     int iterations = 0;
     for (auto _ : state) {
         std::fill(f.soil.pressure.begin(), f.soil.pressure.end(), 0.0);
-        iterations = solver.solve(f.n, f.soil, f.wall, vx, vy, {1e-3, 0.0, false}).iterations;
+        iterations = solver.solve(f, velocity, {1e-3, 0.0, false}, gradient).iterations;
     }
     count_per_particle(state, f.soil.count);
     state.counters["iterations"] = iterations;
@@ -104,7 +104,7 @@ void PressureSolve(benchmark::State& state) {
 void Step(benchmark::State& state) {
     Scene scene = scenes::aluminium_column(21.9, std::sqrt(0.02 / static_cast<double>(state.range(0))));
     scene.run.threads = static_cast<int>(state.range(1));
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (!simulation.released() || simulation.work().steps < 30) simulation.step();
     const WorkCounts before = simulation.work();
     const PhaseClock clock_before = simulation.clock();

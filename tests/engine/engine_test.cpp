@@ -12,6 +12,7 @@
 #include "engine/pressure/pressure_solver.h"
 #include "engine/simd/instruction_set.h"
 #include "filled_box.h"
+#include "scene/make_problem.h"
 #include "scenes.h"
 
 namespace runout {
@@ -70,7 +71,7 @@ TEST(WallTest, StandsHalfASpacingBehindTheLineAndFillsTheLattice) {
     }
     for (int i = 0; i < f.soil.count; ++i) {
         if (f.soil.y[i] < 15 * spacing) {
-            EXPECT_NEAR(f.n.density[i], 1.0, 1e-6);  // sums of single precision
+            EXPECT_NEAR(f.neighbours.density[i], 1.0, 1e-6);  // sums of single precision
         }
     }
 }
@@ -90,41 +91,42 @@ TEST(WallTest, EveryDummyHasItsNearestBoundaryParticle) {
 TEST(Operators, CorrectedGradientIsExactForALinearField) {
     Filled f(15);
     // v = (2x - 3y, 5x + y) vanishes nowhere on the wall, so only rows away from it are looked at.
-    std::vector<FloatPair> velocity(f.n.nodes);
+    std::vector<FloatPair> velocity(f.neighbours.nodes);
     for (int i = 0; i < f.soil.count; ++i) {
         velocity[i] = {static_cast<float>(2 * f.soil.x[i] - 3 * f.soil.y[i]),
                        static_cast<float>(5 * f.soil.x[i] + f.soil.y[i])};
     }
     int checked = 0;
-    for (const PairBlock& block : f.n.blocks) {
-        for_each_velocity_gradient(block, f.n, velocity.data(), [&](int i, const VelocityGradient& plain) {
-            if (f.n.nearest_boundary[i] >= 0) return;
-            const VelocityGradient g = plain.corrected(f.n, i);
-            EXPECT_NEAR(g.xx, 2, 3e-5);
-            EXPECT_NEAR(g.xy, -3, 3e-5);
-            EXPECT_NEAR(g.yx, 5, 3e-5);
-            EXPECT_NEAR(g.yy, 1, 3e-5);
-            EXPECT_NEAR(g.spin(), 4, 3e-5);
-            ++checked;
-        });
+    for (const PairBlock& block : f.neighbours.blocks) {
+        for_each_velocity_gradient(block, f.neighbours, velocity.data(),
+                                   [&](int i, const VelocityGradient& plain) {
+                                       if (f.neighbours.nearest_boundary[i] >= 0) return;
+                                       const VelocityGradient g = plain.corrected(f.neighbours, i);
+                                       EXPECT_NEAR(g.xx, 2, 3e-5);
+                                       EXPECT_NEAR(g.xy, -3, 3e-5);
+                                       EXPECT_NEAR(g.yx, 5, 3e-5);
+                                       EXPECT_NEAR(g.yy, 1, 3e-5);
+                                       EXPECT_NEAR(g.spin(), 4, 3e-5);
+                                       ++checked;
+                                   });
     }
     EXPECT_GT(checked, 80);
 }
 
 TEST(Operators, PressureGradientIsMinusTheAdjointOfDivergence) {
     Filled f(12);
-    std::vector<double> p(f.n.nodes, 0.0);
-    std::vector<FloatPair> v(f.n.nodes);
-    std::vector<double> gx(f.n.nodes, 0.0);
-    std::vector<double> gy(f.n.nodes, 0.0);
-    std::vector<double> divergence(f.n.nodes, 0.0);
-    for (int i = 0; i < f.n.nodes; ++i) p[i] = std::sin(12.9898 * i);
+    std::vector<double> p(f.neighbours.nodes, 0.0);
+    std::vector<FloatPair> v(f.neighbours.nodes);
+    std::vector<double> gx(f.neighbours.nodes, 0.0);
+    std::vector<double> gy(f.neighbours.nodes, 0.0);
+    std::vector<double> divergence(f.neighbours.nodes, 0.0);
+    for (int i = 0; i < f.neighbours.nodes; ++i) p[i] = std::sin(12.9898 * i);
     for (int i = 0; i < f.soil.count; ++i) {
         v[i] = {static_cast<float>(std::sin(78.233 * i)), static_cast<float>(std::cos(39.425 * i))};
     }
-    for (const PairBlock& block : f.n.blocks) {
-        pair_kernels().pressure_gradient(pair_rows(block, f.n), p.data(), gx.data(), gy.data());
-        pair_kernels().velocity_divergence(pair_rows(block, f.n), v.data(), divergence.data());
+    for (const PairBlock& block : f.neighbours.blocks) {
+        pair_kernels().pressure_gradient(pair_rows(block, f.neighbours), p.data(), gx.data(), gy.data());
+        pair_kernels().velocity_divergence(pair_rows(block, f.neighbours), v.data(), divergence.data());
     }
     double left = 0.0;
     double right = 0.0;
@@ -132,10 +134,11 @@ TEST(Operators, PressureGradientIsMinusTheAdjointOfDivergence) {
         left += gx[i] * v[i].x + gy[i] * v[i].y;
         right += p[i] * divergence[i];
     }
-    for (int a = 0; a < f.n.active_count(); ++a) {
-        for (int k = f.n.boundary_start[a]; k < f.n.boundary_start[a + 1]; ++k) {
-            const BoundaryPair& pair = f.n.boundary_pairs[k];
-            right += p[f.n.first_boundary + a] * (v[pair.soil].x * pair.gx + v[pair.soil].y * pair.gy);
+    for (int a = 0; a < f.neighbours.active_count(); ++a) {
+        for (int k = f.neighbours.boundary_start[a]; k < f.neighbours.boundary_start[a + 1]; ++k) {
+            const BoundaryPair& pair = f.neighbours.boundary_pairs[k];
+            right +=
+                p[f.neighbours.first_boundary + a] * (v[pair.soil].x * pair.gx + v[pair.soil].y * pair.gy);
         }
     }
     EXPECT_NEAR(left, -right, 1e-6 * std::abs(left));
@@ -143,18 +146,18 @@ TEST(Operators, PressureGradientIsMinusTheAdjointOfDivergence) {
 
 TEST(Operators, EveryInstructionSetGivesTheSameBits) {
     Filled f(12);
-    std::vector<double> p(f.n.nodes, 0.0);
-    std::vector<FloatPair> v(f.n.nodes);
-    for (int i = 0; i < f.n.nodes; ++i) {
+    std::vector<double> p(f.neighbours.nodes, 0.0);
+    std::vector<FloatPair> v(f.neighbours.nodes);
+    for (int i = 0; i < f.neighbours.nodes; ++i) {
         p[i] = std::sin(78.233 * i);
         v[i] = {static_cast<float>(p[i]), static_cast<float>(std::cos(39.425 * i))};
     }
-    const std::vector<float> strength(f.n.nodes, 0.3F);
+    const std::vector<float> strength(f.neighbours.nodes, 0.3F);
     const auto all = [&](const PairKernels& kernels) {
         std::vector<double> results;
-        std::vector<double> a(f.n.nodes, 0.0);
-        std::vector<double> b(f.n.nodes, 0.0);
-        std::vector<FloatPair> u(f.n.nodes);
+        std::vector<double> a(f.neighbours.nodes, 0.0);
+        std::vector<double> b(f.neighbours.nodes, 0.0);
+        std::vector<FloatPair> u(f.neighbours.nodes);
         VelocityGradients g{};
         const auto keep = [&](const auto& values) {
             results.insert(results.end(), values.begin(), values.end());
@@ -162,8 +165,8 @@ TEST(Operators, EveryInstructionSetGivesTheSameBits) {
         const auto keep_pairs = [&](const std::vector<FloatPair>& values) {
             for (const FloatPair& value : values) keep(std::initializer_list<double>{value.x, value.y});
         };
-        for (const PairBlock& block : f.n.blocks) {
-            const PairRows rows = pair_rows(block, f.n);
+        for (const PairBlock& block : f.neighbours.blocks) {
+            const PairRows rows = pair_rows(block, f.neighbours);
             kernels.stress_divergence(rows, v.data(), u.data());
             keep_pairs(u);
             kernels.pressure_gradient(rows, p.data(), a.data(), b.data());
@@ -183,7 +186,7 @@ TEST(Operators, EveryInstructionSetGivesTheSameBits) {
             StressUpdate update;
             update.velocity = v.data();
             for (int c = 0; c < 4; ++c)
-                update.correction[c] = rotation.correction[c] = f.n.correction[c].data();
+                update.correction[c] = rotation.correction[c] = f.neighbours.correction[c].data();
             update.strength = strength.data();
             update.step = 0.001F;
             update.momentum = 0.4F;
@@ -206,17 +209,18 @@ TEST(Operators, EveryInstructionSetGivesTheSameBits) {
 
 TEST(Operators, StressUpdateStaysInTheYieldCircle) {
     Filled f(12);
-    std::vector<FloatPair> velocity(f.n.nodes);
-    for (int i = 0; i < f.n.nodes; ++i) {
+    std::vector<FloatPair> velocity(f.neighbours.nodes);
+    for (int i = 0; i < f.neighbours.nodes; ++i) {
         const auto v = static_cast<float>(std::sin(78.233 * i));
         velocity[i] = {v, v};
     }
-    const std::vector<float> strength(f.n.nodes, 0.3F);
-    std::vector<FloatPair> stress(f.n.nodes);
-    std::vector<FloatPair> ahead(f.n.nodes, FloatPair{1.0F, -1.0F});
+    const std::vector<float> strength(f.neighbours.nodes, 0.3F);
+    std::vector<FloatPair> stress(f.neighbours.nodes);
+    std::vector<FloatPair> ahead(f.neighbours.nodes, FloatPair{1.0F, -1.0F});
     StressUpdate update{velocity.data(), {}, strength.data(), 0.001F, 0.0F, stress.data(), ahead.data()};
-    for (int c = 0; c < 4; ++c) update.correction[c] = f.n.correction[c].data();
-    for (const PairBlock& block : f.n.blocks) pair_kernels().update_stress(pair_rows(block, f.n), update);
+    for (int c = 0; c < 4; ++c) update.correction[c] = f.neighbours.correction[c].data();
+    for (const PairBlock& block : f.neighbours.blocks)
+        pair_kernels().update_stress(pair_rows(block, f.neighbours), update);
     int at_yield = 0;
     for (int i = 0; i < f.soil.count; ++i) {
         const float size = std::hypot(stress[i].x, stress[i].y);
@@ -229,20 +233,21 @@ TEST(Operators, StressUpdateStaysInTheYieldCircle) {
 TEST(Operators, RotationKeepsTheSizeOfTheStressAndTurnsItByTwiceTheAngle) {
     Filled f(12);
     // v = (-y, x) turns by 1 rad/s; the wall does not, so only rows away from it are looked at.
-    std::vector<FloatPair> velocity(f.n.nodes);
+    std::vector<FloatPair> velocity(f.neighbours.nodes);
     for (int i = 0; i < f.soil.count; ++i) {
         velocity[i] = {static_cast<float>(-f.soil.y[i]), static_cast<float>(f.soil.x[i])};
     }
-    std::vector<FloatPair> stress(f.n.nodes, FloatPair{3.0F, 0.0F});
+    std::vector<FloatPair> stress(f.neighbours.nodes, FloatPair{3.0F, 0.0F});
     StressRotation rotation;
     rotation.velocity = velocity.data();
-    for (int c = 0; c < 4; ++c) rotation.correction[c] = f.n.correction[c].data();
+    for (int c = 0; c < 4; ++c) rotation.correction[c] = f.neighbours.correction[c].data();
     rotation.dt = 0.01F;
     rotation.stress = stress.data();
-    for (const PairBlock& block : f.n.blocks) pair_kernels().rotate_stress(pair_rows(block, f.n), rotation);
+    for (const PairBlock& block : f.neighbours.blocks)
+        pair_kernels().rotate_stress(pair_rows(block, f.neighbours), rotation);
     int checked = 0;
     for (int i = 0; i < f.soil.count; ++i) {
-        if (f.n.nearest_boundary[i] >= 0) continue;
+        if (f.neighbours.nearest_boundary[i] >= 0) continue;
         EXPECT_NEAR(std::hypot(stress[i].x, stress[i].y), 3.0, 1e-6);
         EXPECT_NEAR(std::atan2(stress[i].y, stress[i].x), 0.02, 1e-6);
         ++checked;
@@ -283,12 +288,11 @@ TEST(PressureEquation, WeightOfAFilledBoxIsHydrostatic) {
     Filled f(20);
     PressureSolver solver(f.d, 9.81, 20 * spacing, 1e-6);
     const double dt = 1e-3;
-    std::vector<double> vx(f.n.nodes, 0.0);
-    std::vector<double> vy(f.n.nodes, 0.0);
-    for (int i = 0; i < f.soil.count; ++i) vy[i] = -9.81 * dt;
+    const NodeVectors velocity = even_velocity(f, {0.0, -9.81 * dt});
+    NodeVectors gradient;
     // Repeated with full memory the projection becomes exact: nothing is left of the velocity.
     for (int pass = 0; pass < 60; ++pass) {
-        EXPECT_TRUE(solver.solve(f.n, f.soil, f.wall, vx, vy, {dt, 1.0, false}).converged);
+        EXPECT_TRUE(solver.solve(f, velocity, {dt, 1.0, false}, gradient).converged);
     }
     // What balances the weight is the plain gradient, which is too small on a lattice by its first moment.
     const WendlandKernel kernel(f.d.smoothing_length);
@@ -308,10 +312,8 @@ TEST(PressureEquation, IterationsDoNotGrowWithTheNumberOfParticles) {
     const auto iterations = [](int cells) {
         Filled f(cells);
         PressureSolver solver(f.d, 9.81, cells * spacing, 1e-3);
-        std::vector<double> vx(f.n.nodes, 0.0);
-        std::vector<double> vy(f.n.nodes, -9.81e-3);
-        std::fill(vy.begin() + f.soil.count, vy.end(), 0.0);
-        return solver.solve(f.n, f.soil, f.wall, vx, vy, {1e-3, 0.0, false}).iterations;
+        NodeVectors gradient;
+        return solver.solve(f, even_velocity(f, {0.0, -9.81e-3}), {1e-3, 0.0, false}, gradient).iterations;
     };
     EXPECT_LE(iterations(20), 25);
     EXPECT_LE(iterations(100), 25);
@@ -319,21 +321,21 @@ TEST(PressureEquation, IterationsDoNotGrowWithTheNumberOfParticles) {
 
 TEST(PackingTest, RectangleIsFilledExactly) {
     const Scene scene = scenes::aluminium_column(21.9, 0.002);
-    const Packing packing = pack_source(scene.source, 0.002, 1.3);
-    EXPECT_EQ(packing.x.size(), 5000U);
+    const Packing packing = pack_mass(mass_of(scene.source), 0.002, 1.3);
+    EXPECT_EQ(packing.points.size(), 5000U);
     EXPECT_NEAR(packing.spacing, 0.002, 1e-15);
-    EXPECT_NEAR(*std::min_element(packing.x.begin(), packing.x.end()), 0.001, 1e-12);
-    EXPECT_NEAR(*std::max_element(packing.y.begin(), packing.y.end()), 0.099, 1e-12);
+    EXPECT_NEAR(std::ranges::min(packing.points, {}, [](const Vec2& p) { return p.x(); }).x(), 0.001, 1e-12);
+    EXPECT_NEAR(std::ranges::max(packing.points, {}, [](const Vec2& p) { return p.y(); }).y(), 0.099, 1e-12);
 }
 
 TEST(PackingTest, MassOfATriangleIsExactAndNobodyIsSqueezed) {
     const Scene scene = scenes::heap(25.0, 0.1, 30.0, 0.003);
-    const Packing packing = pack_source(scene.source, 0.003, 1.3);
-    EXPECT_NEAR(packing.spacing * packing.spacing * static_cast<double>(packing.x.size()), scene.source.area,
-                1e-12 * scene.source.area);
+    const Packing packing = pack_mass(mass_of(scene.source), 0.003, 1.3);
+    EXPECT_NEAR(packing.spacing * packing.spacing * static_cast<double>(packing.points.size()),
+                scene.source.area, 1e-12 * scene.source.area);
     EXPECT_NEAR(packing.spacing, 0.003, 0.02 * 0.003);
     const Discretisation d = make_discretisation(packing.spacing, 1.3, 2000);
-    Soil soil = soil_at(packing.x, packing.y);
+    Soil soil = soil_at(packing.points);
     const Wall wall = make_wall(BedLine(scene.source.bed), d);
     NeighbourSearch search(d, 1);
     Neighbours n;
@@ -348,9 +350,9 @@ TEST(PackingTest, NobodyStartsOutsideASliver) {
                                         {{8.61, 0}, {6.53, 3.6}, {6.24, 2.8}, {7.2, 1.0}}, 60.0, 0.2);
     const BedLine outline(scene.source.outline, true);
     for (const double dl : {0.3, 0.2, 0.1}) {
-        const Packing packing = pack_source(scene.source, dl, 1.3);
-        for (std::size_t i = 0; i < packing.x.size(); ++i) {
-            EXPECT_GT(outline.nearest({packing.x[i], packing.y[i]}).distance, 0.0);
+        const Packing packing = pack_mass(mass_of(scene.source), dl, 1.3);
+        for (const Vec2& point : packing.points) {
+            EXPECT_GT(outline.nearest(point).distance, 0.0);
         }
     }
 }

@@ -8,6 +8,7 @@
 #include "engine/particles/packing.h"
 #include "engine/simulation.h"
 #include "observe.h"
+#include "scene/make_problem.h"
 #include "scenes.h"
 
 namespace runout {
@@ -28,12 +29,8 @@ Simulation row_on_slope(double slope_deg, double phi_deg, int grains, double dis
                       0.5 * spacing * up;
     Packing packing;
     packing.spacing = spacing;
-    for (int k = 0; k < grains; ++k) {
-        const Vec2 p = head + k * distance * spacing * along;
-        packing.x.push_back(p.x());
-        packing.y.push_back(p.y());
-    }
-    return Simulation(scene, packing);
+    for (int k = 0; k < grains; ++k) packing.points.push_back(head + k * distance * spacing * along);
+    return {make_problem(scene), packing};
 }
 
 /// How far a grain gets until `end_time`, m.

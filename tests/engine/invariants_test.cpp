@@ -22,7 +22,7 @@ InvariantScales scales() {
 
 /// Four particles at rest, and a step that took nothing.
 struct HandMade {
-    Soil soil = soil_at({0.0, 0.1, 0.2, 0.3}, {1.0, 1.0, 1.0, 1.0});
+    Soil soil = soil_at({{0.0, 1.0}, {0.1, 1.0}, {0.2, 1.0}, {0.3, 1.0}});
     std::vector<double> density{1.0, 1.0, 1.0, 1.0};
     StepFacts step{.time = 0.5, .dt = 1e-3};
     InvariantWatch watch{scales()};
@@ -216,7 +216,7 @@ TEST(Invariants, HaveNamesAndMeanings) {
 // ---- rest
 
 TEST(Rest, IsJudgedByWhereParticlesGetAndNotByTheirTrembling) {
-    Soil soil = soil_at({0.0, 0.1}, {1.0, 1.0});
+    Soil soil = soil_at({{0.0, 1.0}, {0.1, 1.0}});
     RestWatch rest(g, 1.0, 0.01);
     rest.start(soil, 0.0);
     double time = 0.0;
@@ -228,7 +228,7 @@ TEST(Rest, IsJudgedByWhereParticlesGetAndNotByTheirTrembling) {
 }
 
 TEST(Rest, IsNotThereWhileTheMassSlides) {
-    Soil soil = soil_at({0.0, 0.1}, {1.0, 1.0});
+    Soil soil = soil_at({{0.0, 1.0}, {0.1, 1.0}});
     RestWatch rest(g, 1.0, 0.01);
     rest.start(soil, 0.0);
     double time = 0.0;
@@ -249,8 +249,8 @@ void rock(RestWatch& rest, Soil& soil, double way, double& time, double end) {
 }
 
 TEST(Rest, ComesToGrainsThatAllTremble) {
-    const std::vector<double> places(10, 0.0);
-    Soil soil = soil_at(places, places);
+    const std::vector<Vec2> places(10);
+    Soil soil = soil_at(places);
     RestWatch rest(g, 1.0, 0.01);
     rest.start(soil, 0.0);
     double time = 0.0;
@@ -263,8 +263,8 @@ TEST(Rest, ComesToGrainsThatAllTremble) {
 }
 
 TEST(Rest, TakesLongerWhereGrainsRock) {
-    const std::vector<double> places(10, 0.0);
-    Soil soil = soil_at(places, places);
+    const std::vector<Vec2> places(10);
+    Soil soil = soil_at(places);
     RestWatch rest(g, 1.0, 0.01);
     rest.start(soil, 0.0);
     const double unit = std::sqrt(1.0 / g);
@@ -277,7 +277,7 @@ TEST(Rest, TakesLongerWhereGrainsRock) {
 
 // A pile about to give way: its grains creep by less than those that tremble.
 TEST(Rest, IsNotThereWhileGrainsCreep) {
-    Soil soil = soil_at({0.0, 0.1}, {1.0, 1.0});
+    Soil soil = soil_at({{0.0, 1.0}, {0.1, 1.0}});
     RestWatch rest(g, 1.0, spacing);
     rest.start(soil, 0.0);
     const double unit = std::sqrt(1.0 / g);
@@ -289,8 +289,8 @@ TEST(Rest, IsNotThereWhileGrainsCreep) {
 }
 
 TEST(Rest, IsNotThereWhileOneGrainOfAThousandRolls) {
-    const std::vector<double> places(1000, 0.0);
-    Soil soil = soil_at(places, places);
+    const std::vector<Vec2> places(1000);
+    Soil soil = soil_at(places);
     RestWatch rest(g, 1.0, 0.01);
     rest.start(soil, 0.0);
     double time = 0.0;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "engine/simd/instruction_set.h"
@@ -19,11 +20,12 @@ using namespace filled_box;
 TEST(NeighboursTest, FindsEveryPairThatBruteForceFinds) {
     Filled f(15);
     std::vector<int> row_length(f.soil.count, 0);
-    for (const PairBlock& block : f.n.blocks) {
+    for (const PairBlock& block : f.neighbours.blocks) {
         for (int s = 0; s < slices_per_block; ++s) {
             for (int e = block.offset[s]; e < block.offset[s + 1]; ++e) {
                 const int i = block.first_row + s * lanes + (e - block.offset[s]) % lanes;
-                if (block.stiffness[e] > 0.0F && block.column[e] < f.n.first_boundary) ++row_length[i];
+                if (block.stiffness[e] > 0.0F && block.column[e] < f.neighbours.first_boundary)
+                    ++row_length[i];
             }
         }
     }
@@ -106,12 +108,36 @@ TEST(NeighboursTest, EveryInstructionSetFindsTheSameNearRows) {
     }
 }
 
+// A field that were forgotten would give its values to other particles.
+TEST(NeighboursTest, SortingCarriesEveryField) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> anywhere(-1.0, 1.0);
+    std::vector<Vec2> points;
+    for (int i = 0; i < 500; ++i) points.emplace_back(anywhere(random), anywhere(random));
+    Soil soil = soil_at(points);
+    const auto mark = [](int id, std::size_t field) { return 1000.0 * id + static_cast<double>(field); };
+    const SoilFields fields = fields_of(soil);
+    for (std::size_t k = 2; k < fields.numbers.size(); ++k)
+        for (int i = 0; i < soil.count; ++i) (*fields.numbers[k])[i] = mark(i, k);
+    NeighbourSearch search(make_discretisation(spacing, 1.3, density), 1);
+    search.sort(soil);
+    const SoilFields sorted = fields_of(soil);
+    bool moved = false;
+    for (int i = 0; i < soil.count; ++i) {
+        moved = moved || soil.id[i] != i;
+        ASSERT_EQ(Vec2(soil.x[i], soil.y[i]), points[soil.id[i]]);
+        for (std::size_t k = 2; k < sorted.numbers.size(); ++k)
+            ASSERT_EQ((*sorted.numbers[k])[i], mark(soil.id[i], k)) << "field " << k;
+    }
+    EXPECT_TRUE(moved);
+}
+
 TEST(NeighboursTest, GrainsThatFlyAloneHaveTheDensityOfOne) {
     // More of them than stand in a slice of rows: none of its rows has a pair.
     const Discretisation d = make_discretisation(spacing, 1.3, density);
-    std::vector<double> x;
-    for (int i = 0; i < 2 * lanes; ++i) x.push_back(i * 10 * spacing);
-    Soil soil = soil_at(x, std::vector<double>(x.size(), 1.0));
+    std::vector<Vec2> points;
+    for (int i = 0; i < 2 * lanes; ++i) points.emplace_back(i * 10 * spacing, 1.0);
+    Soil soil = soil_at(points);
     const Wall wall = make_wall(BedLine({{-1, -1}, {1, -1}}), d);
     NeighbourSearch search(d, 1);
     Neighbours n;

@@ -8,6 +8,7 @@
 
 #include "engine/simulation.h"
 #include "observe.h"
+#include "scene/make_problem.h"
 #include "scenes.h"
 
 namespace runout {
@@ -33,7 +34,7 @@ TEST_P(SlabTest, AcceleratesAsTheSinPhiRuleSays) {
     constexpr int rows = 10;
     const double slope = radians(GetParam());
     const double exact = g * (std::sin(slope) - std::sin(radians(38.0)) * std::cos(slope));
-    Simulation simulation(scenes::slab(GetParam(), columns, rows, 38.0, 0.005));
+    Simulation simulation(make_problem(scenes::slab(GetParam(), columns, rows, 38.0, 0.005)));
     double next = 1e-9;
     double worst = 0.0;
     while (simulation.time() < 0.1) {
@@ -58,7 +59,7 @@ double mean_pressure(const Simulation& simulation) {
 // What one step has too much the next must not have too little: strength that follows such a pressure holds
 // soil up half of the time only. The step is a tenth of what the flow takes to change.
 TEST(Pressure, DoesNotAlternateFromStepToStep) {
-    Simulation simulation(scenes::aluminium_column(21.9, 0.003));
+    Simulation simulation(make_problem(scenes::aluminium_column(21.9, 0.003)));
     while (simulation.time() < 0.1) simulation.step();
     constexpr int steps = 50;
     std::array<double, 3> last{};
@@ -77,7 +78,7 @@ TEST(Pressure, DoesNotAlternateFromStepToStep) {
 
 TEST(Rest, SlabFlatterThanReposeStands) {
     constexpr int columns = 100;
-    Simulation simulation(scenes::slab(25.0, columns, 10, 38.0, 0.005));
+    Simulation simulation(make_problem(scenes::slab(25.0, columns, 10, 38.0, 0.005)));
     double next = 0.0;
     while (simulation.time() < 0.3) {
         simulation.step();
@@ -91,7 +92,7 @@ TEST(Rest, SlabFlatterThanReposeStands) {
 
 TEST(Rest, ColumnBetweenWallsNeitherMovesNorLosesWeight) {
     const Scene scene = scenes::silo(0.1, 0.1, 21.9, 0.005);
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     const std::vector<Vec2> start = positions_by_id(simulation);
     const double weight = scene.material.density * g * scene.source.area;
     double worst = 0.0;
@@ -110,7 +111,7 @@ TEST(Rest, ColumnBetweenWallsNeitherMovesNorLosesWeight) {
 TEST(Rest, HeapBelowReposeStandsForThirtyFallTimes) {
     // Repose of phi = 21.9 deg is 20.45 deg.
     const double spacing = 0.0025;
-    Simulation simulation(scenes::heap(15.4, 0.1, 21.9, spacing));
+    Simulation simulation(make_problem(scenes::heap(15.4, 0.1, 21.9, spacing)));
     const std::vector<Vec2> start = positions_by_id(simulation);
     while (simulation.time() < 30.0 * std::sqrt(0.1 / g)) simulation.step();
     const double moved = greatest_displacement(simulation, start) / spacing;
@@ -120,14 +121,14 @@ TEST(Rest, HeapBelowReposeStandsForThirtyFallTimes) {
 
 // It has nothing to lean on there. It was taken for soil deep in the wall, and the run called diverged.
 TEST(Properties, SoilAboveTheWallThatEndsASectionLeavesIt) {
-    Simulation simulation(
-        scenes::polygon({{0, 0.2}, {0, 0}, {2, 0}}, {{0, 0}, {0.05, 0}, {0.05, 0.3}, {0, 0.3}}, 22.4, 0.004));
+    Simulation simulation(make_problem(scenes::polygon(
+        {{0, 0.2}, {0, 0}, {2, 0}}, {{0, 0}, {0.05, 0}, {0.05, 0.3}, {0, 0.3}}, 22.4, 0.004)));
     while (simulation.status() == RunStatus::running) simulation.step();
     EXPECT_EQ(simulation.status(), RunStatus::left_section) << simulation.status_detail();
 }
 
 TEST(Properties, PressureNeverPulls) {
-    Simulation simulation(scenes::aluminium_column(21.9, 0.008));
+    Simulation simulation(make_problem(scenes::aluminium_column(21.9, 0.008)));
     while (simulation.status() == RunStatus::running) {
         simulation.step();
         const StateView state = simulation.state();
@@ -137,7 +138,7 @@ TEST(Properties, PressureNeverPulls) {
 }
 
 TEST(Properties, EnergyIsAccountedFor) {
-    Simulation simulation(scenes::aluminium_column(21.9, 0.004));
+    Simulation simulation(make_problem(scenes::aluminium_column(21.9, 0.004)));
     const EnergyBudget start = simulation.energy();
     double least = start.potential;
     while (simulation.status() == RunStatus::running) {
@@ -158,7 +159,7 @@ TEST(Properties, EnergyIsAccountedFor) {
 // Boundary particles that soil was just reaching took that for compression and braked the front: a tenth of
 // the energy of this box went there, and its run-out grew with every refinement.
 TEST(Properties, TheBedDoesNotBrakeAFrontThatReachesIt) {
-    Simulation simulation(scenes::box(70.0, 0.385, 0.003));
+    Simulation simulation(make_problem(scenes::box(70.0, 0.385, 0.003)));
     const double start = simulation.energy().potential;
     while (simulation.status() == RunStatus::running) simulation.step();
     const EnergyBudget end = simulation.energy();
@@ -167,7 +168,7 @@ TEST(Properties, TheBedDoesNotBrakeAFrontThatReachesIt) {
 }
 
 TEST(Properties, ParticlesAreNumberedOnceAndStayOutOfTheBed) {
-    Simulation simulation(scenes::box(70.0, 0.385, 0.003));
+    Simulation simulation(make_problem(scenes::box(70.0, 0.385, 0.003)));
     const std::size_t count = simulation.state().x.size();
     while (simulation.status() == RunStatus::running) simulation.step();
     EXPECT_EQ(simulation.status(), RunStatus::settled) << simulation.status_detail();
@@ -185,7 +186,7 @@ TEST(Properties, ParticlesAreNumberedOnceAndStayOutOfTheBed) {
 /// Final positions, to be compared bit by bit.
 std::vector<Vec2> final_positions(Scene scene, int threads, double until) {
     scene.run.threads = threads;
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (simulation.status() == RunStatus::running && simulation.time() < until) simulation.step();
     return positions_by_id(simulation);
 }
@@ -207,7 +208,7 @@ TEST(Effects, ABaseAsStrongAsTheSoilChangesNotABit) {
 TEST(Effects, LayersArePouredOntoSoilAtRestAndStayBelowTheWall) {
     Scene scene = scenes::aluminium_column(21.9, 0.01);
     scene.effects.release = StagedRelease{2, 0.05, 0.02};
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     const std::size_t first = simulation.state().x.size();
     int stages = 0;
     while (simulation.status() == RunStatus::running) {
@@ -254,7 +255,7 @@ TEST(Properties, LengthAndGravityTimesTenChangeNothingButTheScale) {
 }
 
 TEST(WorkCounts, ColumnStaysWithinItsBudget) {
-    Simulation simulation(scenes::aluminium_column(21.9, 0.004));
+    Simulation simulation(make_problem(scenes::aluminium_column(21.9, 0.004)));
     while (simulation.status() == RunStatus::running) simulation.step();
     EXPECT_LT(simulation.work().steps, 1300);
     EXPECT_LT(simulation.work().pressure_iterations, 10 * simulation.work().steps);
@@ -264,7 +265,7 @@ TEST(WorkCounts, ColumnStaysWithinItsBudget) {
 TEST(Endings, SoilThatPassesTheEndOfTheSectionIsSaid) {
     Scene scene =
         scenes::polygon({{0, 0.2}, {0, 0}, {0.3, 0}}, {{0, 0}, {0.2, 0}, {0.2, 0.1}, {0, 0.1}}, 21.9, 0.008);
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (simulation.status() == RunStatus::running) simulation.step();
     EXPECT_EQ(simulation.status(), RunStatus::left_section);
     EXPECT_NE(simulation.status_detail().find("distal end"), std::string::npos);
@@ -273,7 +274,7 @@ TEST(Endings, SoilThatPassesTheEndOfTheSectionIsSaid) {
 TEST(Endings, TimeLimitIsSaid) {
     Scene scene = scenes::aluminium_column(21.9, 0.008);
     scene.run.time_limit = 0.1;
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (simulation.status() == RunStatus::running) simulation.step();
     EXPECT_EQ(simulation.status(), RunStatus::time_limit);
 }
@@ -281,7 +282,7 @@ TEST(Endings, TimeLimitIsSaid) {
 TEST(ExplicitFriction, IsThePapersSchemeAndCreeps) {
     Scene scene = scenes::heap(15.4, 0.1, 21.9, 0.005);
     const auto drop = [](const Scene& s) {
-        Simulation simulation(s);
+        Simulation simulation(make_problem(s));
         const double start = simulation.energy().potential;
         while (simulation.time() < 1.0) simulation.step();
         return (start - simulation.energy().potential) / start;

@@ -24,6 +24,7 @@ struct High : Filled {
 /// One of which blocks and single slices rest in the middle third.
 struct PartlyResting : High {
     PartlyResting() {
+        Neighbours& n = neighbours;
         n.resting.assign(soil.padded() / lanes, 0);
         for (std::size_t s = n.resting.size() / 3; s < 2 * n.resting.size() / 3; ++s)
             n.resting[s] = s / slices_per_block % 2 == 0 || s % 5 == 0 ? 1 : 0;
@@ -45,7 +46,7 @@ std::vector<int> chunks_of_boundary(const Neighbours& n) {
 }
 
 void expect_no_pair_beyond_the_next_chunk(const High& f) {
-    const Neighbours& n = f.n;
+    const Neighbours& n = f.neighbours;
     ASSERT_GT(n.chunks.count(), 4);
     for (const PairBlock& block : n.blocks) {
         for_each_pair(block, n, [&](int i, int j, int) {
@@ -82,8 +83,8 @@ std::vector<double> work_of_shares(const Neighbours& n) {
 TEST(RowChunksTest, EachThreadHasTheSameWork) {
     High f;
     NeighbourSearch search(f.d, 2);
-    search.find(f.soil, f.wall, f.n);
-    const std::vector<double> work = work_of_shares(f.n);
+    search.find(f.soil, f.wall, f.neighbours);
+    const std::vector<double> work = work_of_shares(f.neighbours);
     ASSERT_EQ(work.size(), 2u);
     EXPECT_NEAR(work[0], work[1], 0.01 * work[0]);
 }
@@ -122,8 +123,8 @@ struct Fields {
 void expect_the_same_as_pass_by_pass(Filled f, int threads) {
     NeighbourSearch search(f.d, threads);
     search.sort(f.soil);
-    search.find(f.soil, f.wall, f.n);
-    const Neighbours& n = f.n;
+    search.find(f.soil, f.wall, f.neighbours);
+    const Neighbours& n = f.neighbours;
     EXPECT_EQ(n.chunks.shares(), std::min(threads, n.chunks.count()));
     constexpr int passes = 7;
     Fields expected(n);
@@ -144,7 +145,7 @@ void expect_the_same_as_pass_by_pass(Filled f, int threads) {
     int met = 0;
     with_team(n.chunks, signals, [&](TeamMember& member) {
         member.for_each_pass(3, work);
-        member.meet([&] { ++met; });
+        member.synchronise([&] { ++met; });
         EXPECT_EQ(met, 1);
         member.for_each_pass(passes - 3, [&](int pass, int chunk) { work(3 + pass, chunk); });
     });

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "engine/simulation.h"
+#include "scene/make_problem.h"
 #include "scenes.h"
 
 namespace {
@@ -35,7 +36,7 @@ namespace {
 TEST(Work, StepsDoNotAllocateOnceTheyAreWarm) {
     Scene scene = scenes::aluminium_column(21.9, 0.004);
     scene.run.threads = 1;
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (simulation.time() < 0.4) simulation.step();
     const long before = allocations;
     const long steps_before = simulation.work().steps;
@@ -49,7 +50,7 @@ TEST(Work, StepsDoNotAllocateOnceTheyAreWarm) {
 TEST(Work, FreeFlightDoesNotAllocate) {
     Scene scene = scenes::aluminium_column(21.9, 0.004);
     for (Vec2& corner : scene.source.outline) corner += Vec2{0.1, 0.3};  // off bed and wall
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (simulation.time() < 0.05) simulation.step();
     const long before = allocations;
     while (simulation.time() < 0.15) simulation.step();
@@ -59,7 +60,7 @@ TEST(Work, FreeFlightDoesNotAllocate) {
 
 TEST(Work, AColumnTakesSoManyStepsAndIterations) {
     Scene scene = scenes::aluminium_column(21.9, 0.004);
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (simulation.status() == RunStatus::running) simulation.step();
     const WorkCounts& work = simulation.work();
     EXPECT_LT(work.steps, 1300);

@@ -14,6 +14,7 @@
 #include "engine/simulation.h"
 #include "hard/hard_scenes.h"
 #include "observe.h"
+#include "scene/make_problem.h"
 
 namespace runout {
 
@@ -55,7 +56,7 @@ class HardSceneTest : public testing::TestWithParam<HardScene> {};
 
 TEST_P(HardSceneTest, SettlesAndThenStands) {
     const Scene scene = GetParam().make();
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     const std::size_t particles = simulation.state().x.size();
     while (simulation.status() == RunStatus::running) simulation.step();
     ASSERT_TRUE(is_result(simulation.status()))
@@ -116,7 +117,7 @@ TEST_P(RandomDepositsTest, StandButForThoseKnown) {
     for (std::size_t k = 0; k < points.size(); ++k) {
         const std::optional<Scene> scene = random_scene(points[k]);
         if (!scene) continue;
-        Simulation simulation(*scene);
+        Simulation simulation(make_problem(*scene));
         while (simulation.status() == RunStatus::running) simulation.step();
         ASSERT_TRUE(is_result(simulation.status())) << "scene " << k << ": " << simulation.status_detail();
         const double furthest = creep(simulation, *scene).back();

@@ -6,6 +6,7 @@
 
 #include "engine/simulation.h"
 #include "hard/hard_scenes.h"
+#include "scene/make_problem.h"
 #include "scenes.h"
 
 namespace runout {
@@ -23,7 +24,7 @@ TEST(Limits, JetsOfAnImpactAreFasterThanFreeFallAndTakeNoEnergyFromNowhere) {
     p.friction_angle_deg = 5;
     p.drop_height_ratio = 20;
     const Scene scene = stress_scene(p, "jet");
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     // The fall takes sqrt(2 * 20.5 sqrt(S)/g), and the jets a little more.
     while (simulation.status() == RunStatus::running && simulation.time() < 8.0 * simulation.time_scale())
         simulation.step();
@@ -40,7 +41,7 @@ double creep_of_heap(double slope_deg) {
     constexpr double height = 5.0;
     Scene scene = scenes::heap(slope_deg, height, 30.0, 0.35);
     scene.run.sleeping = false;  // friction alone must hold it
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     const StateView start = simulation.state();
     std::vector<Vec2> from(start.x.size());
     for (std::size_t i = 0; i < from.size(); ++i) from[start.id[i]] = {start.x[i], start.y[i]};
@@ -74,7 +75,7 @@ TEST(Limits, MassesWithoutFrictionLeaveTheSectionWithEveryInvariantKept) {
                 scene.effects.base_friction = BaseFriction{0.0};
             else
                 scene.material.friction_angle = 0.0;
-            Simulation simulation(scene);
+            Simulation simulation(make_problem(scene));
             while (simulation.status() == RunStatus::running) simulation.step();
             EXPECT_EQ(simulation.status(), RunStatus::left_section) << simulation.status_detail();
             for (int k = 0; k < static_cast<int>(Invariant::count); ++k)
@@ -87,7 +88,7 @@ TEST(Limits, MassesWithoutFrictionLeaveTheSectionWithEveryInvariantKept) {
 
 /// 6 deg below repose: the lattice finds its rest, and then it stands.
 TEST(FullLimits, TwoHundredThousandParticlesComeToRest) {
-    Simulation simulation(scenes::heap(20.0, 5.0, 30.0, 0.0131));
+    Simulation simulation(make_problem(scenes::heap(20.0, 5.0, 30.0, 0.0131)));
     EXPECT_GE(simulation.state().x.size(), 200000U);
     while (simulation.status() == RunStatus::running) simulation.step();
     EXPECT_TRUE(is_result(simulation.status())) << simulation.status_detail();
@@ -101,7 +102,7 @@ TEST(FullLimits, TwoHundredThousandParticlesComeToRest) {
 double potential_energy_of_column(double resolution) {
     Scene scene = scenes::aluminium_column(21.9, 0);
     scene.run.particle_spacing = std::sqrt(scene.source.area) / resolution;
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (simulation.status() == RunStatus::running && simulation.time() < 0.15) simulation.step();
     return simulation.energy().potential;
 }

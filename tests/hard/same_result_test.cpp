@@ -9,6 +9,7 @@
 
 #include "engine/simulation.h"
 #include "hard/hard_scenes.h"
+#include "scene/make_problem.h"
 
 namespace runout {
 namespace {
@@ -22,7 +23,7 @@ struct Ending {
 };
 
 Ending ending_of(const Scene& scene) {
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (simulation.status() == RunStatus::running) simulation.step();
     const StateView state = simulation.state();
     Ending ending{simulation.status(), simulation.work().steps, simulation.time() / simulation.time_scale(),

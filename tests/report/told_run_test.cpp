@@ -64,7 +64,7 @@ TEST_F(ToldRunTest, IsThatOfTheDatabaseInEveryField) {
     expect_same_later(store_and_tell(scene_with_everything(), result_with_everything(), example_appraisal()));
 }
 
-TEST_F(ToldRunTest, IsThatOfTheDatabaseWhereNumbersAreMissingOrNegativeZeros) {
+TEST_F(ToldRunTest, IsThatOfTheDatabaseWhereNumbersAreMissingInfiniteOrNegativeZeros) {
     Scene scene = scene_with_everything();
     scene.profile.toe_chainage_m = -0.0;
     scene.profile.toe_elevation_m = -0.0;
@@ -72,6 +72,7 @@ TEST_F(ToldRunTest, IsThatOfTheDatabaseWhereNumbersAreMissingOrNegativeZeros) {
     RunResult result = result_with_everything();
     result.measures.run_out_m = -0.0;
     result.measures.reach_angle_deg = nan;
+    result.measures.toe_thickness_m = std::numeric_limits<double>::infinity();
     result.work.spared_share = -0.0;
     const StoredRun told = store_and_tell(scene, result, {});
     EXPECT_FALSE(std::signbit(told.measures.run_out_m));

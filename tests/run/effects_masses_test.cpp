@@ -7,6 +7,7 @@
 
 #include "engine/simulation.h"
 #include "run/run_scene.h"
+#include "scene/make_problem.h"
 #include "scenes.h"
 
 namespace runout {
@@ -24,7 +25,7 @@ Scene dam(double length, double barrier_x, double spacing) {
 
 TEST(BarrierLoad, AtRestItIsTheHydrostaticLoad) {
     const Scene scene = dam(0.2, 0.2, 0.005);
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (simulation.time() < 0.3) simulation.step();
     const BarrierForce& load = *simulation.barrier_force();
     const double force = 0.5 * scene.material.density * g * 0.01;
@@ -35,7 +36,7 @@ TEST(BarrierLoad, AtRestItIsTheHydrostaticLoad) {
 
 TEST(BarrierLoad, ItsImpulseIsTheMomentumThatTheSoilLoses) {
     const Scene scene = dam(0.1, 0.5, 0.004);
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     const auto momentum = [&] {
         const StateView state = simulation.state();
         double sum = 0.0;
@@ -91,7 +92,7 @@ TEST(LaterMasses, LandOnTheDepositOfTheFirst) {
     Scene scene = scenes::aluminium_column(21.9, 0.008);
     const LaterMass mass = scenes::mass_above_column(scene, 5.0, 0.05);
     scene.effects.release = StagedRelease{.masses = {mass}};
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     const std::size_t first = simulation.state().x.size();
     while (simulation.status() == RunStatus::running) simulation.step();
     EXPECT_EQ(simulation.status(), RunStatus::settled) << simulation.status_detail();

@@ -9,6 +9,7 @@
 #include "engine/simulation.h"
 #include "observe.h"
 #include "run/run_scene.h"
+#include "scene/make_problem.h"
 #include "scenes.h"
 
 namespace runout {
@@ -22,7 +23,7 @@ constexpr double slab_spacing = 0.005;
 
 /// Greatest relative deviation of speed / time from `exact` within a tenth of a second.
 double slab_deviation(const Scene& scene, double slope, double exact) {
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     double worst = 0.0;
     double next = 0.01;
     while (simulation.time() < 0.1) {
@@ -98,7 +99,7 @@ TEST(Shaking, SlabMovesAsNewmarksBlock) {
         speed = std::max(0.0, speed + 1e-6 * (along - sin_phi * across));
         exact += 1e-6 * speed;
     }
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     const std::vector<Vec2> start = positions_by_id(simulation);
     while (simulation.time() < 0.9) simulation.step();
     const std::vector<Vec2> end = positions_by_id(simulation);
@@ -124,7 +125,7 @@ Scene vertical_cut(double friction_angle_deg, double factor, int rows) {
 }
 
 RunStatus status_of(const Scene& scene) {
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (simulation.status() == RunStatus::running) simulation.step();
     return simulation.status();
 }
@@ -132,7 +133,7 @@ RunStatus status_of(const Scene& scene) {
 /// Farthest that any particle gets from its place in `time` sqrt(sqrt(S)/g), spacings; nothing sleeps.
 double sag(Scene scene, double time) {
     scene.run.sleeping = false;
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     const std::vector<Vec2> start = positions_by_id(simulation);
     while (simulation.time() < time * simulation.time_scale()) simulation.step();
     const std::vector<Vec2> end = positions_by_id(simulation);
@@ -190,7 +191,7 @@ TEST(Rate, SteadyFlowHasBagnoldsProfile) {
         return 2.0 / 3.0 * number / rate.grain_diameter *
                std::sqrt(g * std::cos(slope) * std::pow(height, 3)) * (1.0 - std::pow(1.0 - y / height, 1.5));
     };
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (simulation.time() < 2.0) simulation.step();
     const StateView state = simulation.state();
     double miss = 0.0, all = 0.0, worst = 0.0;

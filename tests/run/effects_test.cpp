@@ -10,6 +10,7 @@
 #include "engine/simulation.h"
 #include "observe.h"
 #include "run/run_scene.h"
+#include "scene/make_problem.h"
 #include "scenes.h"
 
 namespace runout {
@@ -18,7 +19,7 @@ namespace {
 constexpr double g = 9.81;
 
 std::vector<Vec2> positions_at(const Scene& scene, double until) {
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (simulation.status() == RunStatus::running && simulation.time() < until) simulation.step();
     return positions_by_id(simulation);
 }
@@ -85,11 +86,11 @@ TEST(Neutral, EqualsAbsentToTheBit) {
 
 TEST(FreeFlight, NeedsNoFrictionAndNoPressureUntilItLands) {
     Scene scene = scenes::aluminium_column(21.9, 0.01);
-    Simulation standing(scene);
+    Simulation standing(make_problem(scene));
     while (standing.status() == RunStatus::running) standing.step();
     EXPECT_EQ(standing.work().flying_particle_steps, 0.0) << "on the bed nothing flies";
     for (Vec2& corner : scene.source.outline) corner += Vec2{0.1, 0.15};  // off bed and wall
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     const std::vector<Vec2> start = positions_by_id(simulation);
     while (simulation.time() < 0.12) simulation.step();
     EXPECT_EQ(simulation.work().flying_particle_steps, simulation.work().particle_steps);

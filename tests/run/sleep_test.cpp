@@ -9,6 +9,7 @@
 #include "engine/watch/sleep_watch.h"
 #include "observe.h"
 #include "run/run_scene.h"
+#include "scene/make_problem.h"
 #include "scenes.h"
 
 namespace runout {
@@ -26,14 +27,10 @@ struct Block {
     double time = 0;
 
     Block() {
-        std::vector<double> x, y;
-        for (int i = 0; i < 24; ++i) {
-            for (int j = 0; j < 8; ++j) {
-                x.push_back((i + 0.5) * spacing);
-                y.push_back((j + 0.5) * spacing);
-            }
-        }
-        soil = soil_at(x, y);
+        std::vector<Vec2> points;
+        for (int i = 0; i < 24; ++i)
+            for (int j = 0; j < 8; ++j) points.emplace_back((i + 0.5) * spacing, (j + 0.5) * spacing);
+        soil = soil_at(points);
         density.assign(soil.x.size(), 1.0);
         watch.wake_all(soil, 0.0);
     }
@@ -175,9 +172,9 @@ TEST(Sleep, ASlabThatStartsSlowlyIsNotHeldBack) {
     Simulation awake([&] {
         Scene s = scene;
         s.run.sleeping = false;
-        return s;
+        return make_problem(s);
     }());
-    Simulation simulation(scene);
+    Simulation simulation(make_problem(scene));
     while (simulation.time() < 0.5) simulation.step();
     while (awake.time() < 0.5) awake.step();
     EXPECT_EQ(simulation.work().sleeping_particle_steps, 0.0);
@@ -192,7 +189,7 @@ TEST(Sleep, NothingSleepsWhileTheGroundShakesOrWhereFrictionIsExplicit) {
     scene.effects.shaking = Shaking{};
     scene.effects.shaking->time = {0.0, 3.0};
     scene.effects.shaking->horizontal = scene.effects.shaking->vertical = {0.0, 0.0};
-    Simulation shaken(scene);
+    Simulation shaken(make_problem(scene));
     while (shaken.time() < 2.9) shaken.step();
     EXPECT_EQ(shaken.work().sleeping_particle_steps, 0.0);
     scene.effects.shaking.reset();
@@ -208,7 +205,7 @@ TEST(Sleep, IsTheSameOnTwoThreads) {
     std::vector<std::vector<Vec2>> ends;
     for (const int threads : {1, 2}) {
         scene.run.threads = threads;
-        Simulation simulation(scene);
+        Simulation simulation(make_problem(scene));
         while (simulation.time() < 0.4) simulation.step();
         EXPECT_GT(simulation.work().sleeping_particle_steps, 0.0);
         ends.push_back(positions_by_id(simulation));

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/pressure/pressure_solver.h"
-
 namespace runout {
 namespace {
 
@@ -57,18 +55,20 @@ void PoreWater::append(const std::vector<Vec2>& starts) {
         ratio_.push_back(effect_.field.empty() ? effect_.ratio : interpolate(effect_.field, start.x()));
 }
 
-void PoreWater::find(const Neighbours& n, const Soil& soil, const Wall& wall, const BedLine& bed, double time,
-                     std::vector<double>& pressure) {
+const std::vector<double>& PoreWater::find(const ParticleSystem& particles, double time) {
+    const Neighbours& n = particles.neighbours;
+    const Soil& soil = particles.soil;
+    const Wall& wall = particles.wall;
     thickness_.measure(n, soil, discretisation_);
     const double excess = effect_.base_excess * std::exp(-time / effect_.dissipation_time);
     const double weight = discretisation_.density * gravity_;
     const auto depth = [&](double x, double y) {
-        return std::max(0.0, bed.elevation(x) + thickness_.at(x) - y);
+        return std::max(0.0, wall.line.elevation(x) + thickness_.at(x) - y);
     };
-    pressure.assign(n.nodes, 0.0);
+    pressure_.assign(n.nodes, 0.0);
     for (int i = 0; i < soil.count; ++i) {
         const double ratio = ratio_[soil.id[i]] + (n.nearest_boundary[i] >= 0 ? excess : 0.0);
-        if (ratio > 0.0) pressure[i] = ratio * weight * depth(soil.x[i], soil.y[i]);
+        if (ratio > 0.0) pressure_[i] = ratio * weight * depth(soil.x[i], soil.y[i]);
     }
     for (int a = 0; a < n.active_count(); ++a) {
         // The bed has the water of the soil on it, whose mean is that of its pairs.
@@ -78,8 +78,9 @@ void PoreWater::find(const Neighbours& n, const Soil& soil, const Wall& wall, co
         const int pairs = n.boundary_start[a + 1] - n.boundary_start[a];
         const double ratio = sum / std::max(1, pairs) + excess;
         const int b = n.active[a];
-        pressure[n.first_boundary + a] = ratio * weight * depth(wall.x[b], wall.y[b]);
+        pressure_[n.first_boundary + a] = ratio * weight * depth(wall.x[b], wall.y[b]);
     }
+    return pressure_;
 }
 
 }  // namespace runout

@@ -2,12 +2,9 @@
 
 #include <vector>
 
-#include "engine/pairs/neighbours.h"
-#include "engine/particles/bed_line.h"
+#include "engine/effects/effects.h"
+#include "engine/pairs/particle_system.h"
 #include "engine/particles/kernel.h"
-#include "engine/particles/soil.h"
-#include "engine/particles/wall.h"
-#include "scene/effects.h"
 
 namespace runout {
 
@@ -36,9 +33,10 @@ class PoreWater {
     /// For soil that is let go later, ids following.
     void append(const std::vector<Vec2>& starts);
 
-    /// On return `pressure` has u of every node, Pa.
-    void find(const Neighbours& n, const Soil& soil, const Wall& wall, const BedLine& bed, double time,
-              std::vector<double>& pressure);
+    /// u of every node where the particles are now, Pa; valid until the next call.
+    const std::vector<double>& find(const ParticleSystem& particles, double time);
+    /// As found last.
+    [[nodiscard]] const std::vector<double>& pressure() const { return pressure_; }
 
   private:
     PorePressure effect_;
@@ -46,6 +44,7 @@ class PoreWater {
     double gravity_;
     std::vector<double> ratio_;  ///< r_u by id
     ColumnThickness thickness_;
+    std::vector<double> pressure_;  ///< per node, Pa
 };
 
 }  // namespace runout

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "engine/effects/effects.h"
 #include "engine/particles/kernel.h"
 #include "engine/particles/soil.h"
-#include "scene/effects.h"
 
 namespace runout {
 

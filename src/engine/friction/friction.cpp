@@ -29,7 +29,10 @@ void Friction::make_room(const Neighbours& n) {
         for (int c = 0; c < 4; ++c) set_all(no_correction_[c], n.nodes, c == 0 || c == 3 ? 1.0F : 0.0F);
 }
 
-void Friction::load(const Neighbours& n, int chunk, const Soil& soil, const Wall& wall) {
+void Friction::load(const ParticleSystem& particles, int chunk) {
+    const Neighbours& n = particles.neighbours;
+    const Soil& soil = particles.soil;
+    const Wall& wall = particles.wall;
     for_each_soil(n, chunk, [&](int i) {
         pressure_[i] = soil.pressure[i];
         stress_[i] = {static_cast<float>(soil.sxx[i]), static_cast<float>(soil.sxy[i])};
@@ -46,13 +49,15 @@ void Friction::load(const Neighbours& n, int chunk, const Soil& soil, const Wall
 }
 
 /// |e| of the velocity at the start of the step. A boundary particle has the mean rate of the soil on it.
-void Friction::find_strain_rate(TeamMember& member, const Neighbours& n, const Soil& soil, const Wall& wall,
-                                const BedLine& bed) {
+void Friction::find_strain_rate(TeamMember& member, const ParticleSystem& particles) {
+    const Neighbours& n = particles.neighbours;
+    const Soil& soil = particles.soil;
+    const Wall& wall = particles.wall;
     const auto of_soil = [&](const PairBlock& block, int i, const VelocityGradient& plain) {
         VelocityGradient g = plain;
         if (n.nearest_boundary[i] >= 0) {
             const BedLine::Nearest near =
-                bed.nearest({soil.x[i], soil.y[i]}, wall.segment[n.nearest_boundary[i]], 8);
+                wall.line.nearest({soil.x[i], soil.y[i]}, wall.segment[n.nearest_boundary[i]], 8);
             g = gradient_without_slip(block, n, soil, i, plain, near, discretisation_.spacing);
         }
         g = g.corrected(n, i);
@@ -83,7 +88,10 @@ void Friction::find_strength(const Neighbours& n, int chunk, const std::vector<d
     for_each_boundary(n, chunk, [&](int a) { find(n.first_boundary + a, n.active[a]); });
 }
 
-void Friction::save(const Neighbours& n, int chunk, Soil& soil, Wall& wall) const {
+void Friction::save(int chunk, ParticleSystem& particles) const {
+    const Neighbours& n = particles.neighbours;
+    Soil& soil = particles.soil;
+    Wall& wall = particles.wall;
     for_each_soil(n, chunk, [&](int i) {
         soil.sxx[i] = stress_[i].x;
         soil.sxy[i] = stress_[i].y;
@@ -95,17 +103,18 @@ void Friction::save(const Neighbours& n, int chunk, Soil& soil, Wall& wall) cons
 }
 
 /// Base velocity = v^n + dt (g - grad p / rho): the last known pressure included. The stress turns with the
-/// soil (Jaumann); |s| is kept. `gradient_x`, `gradient_y`: scratch.
-void Friction::start_rows(const PairRows& rows, int last, const Neighbours& n, const Soil& soil,
-                          const FrictionStep& step, std::vector<double>& gradient_x,
-                          std::vector<double>& gradient_y) {
+/// soil (Jaumann); |s| is kept.
+void Friction::start_rows(const PairRows& rows, int last, const ParticleSystem& particles,
+                          const FrictionStep& step, NodeVectors& gradient) {
+    const Neighbours& n = particles.neighbours;
+    const Soil& soil = particles.soil;
     const double scale = step.dt / discretisation_.density;
     const Vec2 gain = step.dt * step.body;
-    pair_kernels().pressure_gradient(rows, pressure_.data(), gradient_x.data(), gradient_y.data());
+    pair_kernels().pressure_gradient(rows, pressure_.data(), gradient.x.data(), gradient.y.data());
     for (int i = rows.first_row; i < last; ++i) {
         base_velocity_[i] = {
-            static_cast<float>(soil.vx[i] - scale * gradient_x[i] + gain.x() + step.dt * soil.contact_x[i]),
-            static_cast<float>(soil.vy[i] - scale * gradient_y[i] + gain.y() + step.dt * soil.contact_y[i])};
+            static_cast<float>(soil.vx[i] - scale * gradient.x[i] + gain.x() + step.dt * soil.contact_x[i]),
+            static_cast<float>(soil.vy[i] - scale * gradient.y[i] + gain.y() + step.dt * soil.contact_y[i])};
     }
     StressRotation rotation;
     rotation.velocity = velocity_.data();
@@ -176,13 +185,13 @@ void Friction::yield_from_strain_rate(const Neighbours& n, int chunk) {
 
 /// v* = v^n + dt (g - div s / rho), eq. 3.
 void Friction::final_velocity(const PairRows& rows, int last, const Soil& soil, const FrictionStep& step,
-                              std::vector<double>& vx, std::vector<double>& vy) {
+                              NodeVectors& predicted) {
     const double scale = step.dt / discretisation_.density;
     const Vec2 gain = step.dt * step.body;
     pair_kernels().stress_divergence(rows, stress_.data(), force_.data());
     for (int i = rows.first_row; i < last; ++i) {
-        vx[i] = soil.vx[i] - scale * force_[i].x + gain.x();
-        vy[i] = soil.vy[i] - scale * force_[i].y + gain.y();
+        predicted.x[i] = soil.vx[i] - scale * force_[i].x + gain.x();
+        predicted.y[i] = soil.vy[i] - scale * force_[i].y + gain.y();
     }
 }
 
@@ -198,26 +207,28 @@ void Friction::set_momenta(int iterations) {
     }
 }
 
-void Friction::predict(const Neighbours& n, Soil& soil, Wall& wall, const FrictionStep& step,
-                       std::vector<double>& vx, std::vector<double>& vy) {
+void Friction::predict(ParticleSystem& particles, const FrictionStep& step, NodeVectors& predicted,
+                       NodeVectors& gradient) {
+    const Neighbours& n = particles.neighbours;
     make_room(n);
-    for (auto* field : {&vx, &vy}) set_beyond_awake(n, *field, 0.0);
+    for (auto* field : {&gradient.x, &gradient.y}) fit(*field, n.first_boundary);
+    for (auto* field : {&predicted.x, &predicted.y}) set_beyond_awake(n, *field, 0.0);
     set_momenta(step.iterations > 0 ? step.iterations : iterations_);
     const auto start = [&](int chunk) {
         find_strength(n, chunk, step.pore_pressure);
         for_each_awake(n, chunk, [&](const PairRows& rows, int last) {
-            start_rows(rows, last, n, soil, step, vx, vy);  // what is to be the result is not in use yet
+            start_rows(rows, last, particles, step, gradient);
         });
     };
     const auto finish = [&](int chunk) {
         for_each_awake(n, chunk, [&](const PairRows& rows, int last) {
-            final_velocity(rows, last, soil, step, vx, vy);
+            final_velocity(rows, last, particles.soil, step, predicted);
         });
-        save(n, chunk, soil, wall);
+        save(chunk, particles);
     };
     with_team(n.chunks, signals_, [&](TeamMember& member) {
-        member.for_each_pass(1, [&](int, int chunk) { load(n, chunk, soil, wall); });
-        if (yield_.depends_on_rate()) find_strain_rate(member, n, soil, wall, *step.bed);
+        member.for_each_pass(1, [&](int, int chunk) { load(particles, chunk); });
+        if (yield_.depends_on_rate()) find_strain_rate(member, particles);
         if (scheme_ == FrictionScheme::projected) return iterate(member, n, step.dt, start, finish);
         member.for_each_pass(2, [&](int pass, int chunk) {
             if (pass == 1) return finish(chunk);

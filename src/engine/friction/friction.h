@@ -4,12 +4,9 @@
 #include <vector>
 
 #include "engine/friction/yield_strength.h"
-#include "engine/pairs/neighbours.h"
-#include "engine/particles/bed_line.h"
-#include "engine/particles/soil.h"
-#include "engine/particles/wall.h"
+#include "engine/pairs/particle_system.h"
+#include "engine/problem.h"
 #include "engine/threads/row_passes.h"
-#include "scene/scene.h"
 
 namespace runout {
 
@@ -19,7 +16,6 @@ struct FrictionStep {
     Vec2 body{0, 0};     ///< acceleration by gravity and whatever shakes, m/s2
     int iterations = 0;  ///< of the projected scheme; 0: as set for the run
     const std::vector<double>* pore_pressure = nullptr;  ///< per node, Pa; null: dry
-    const BedLine* bed = nullptr;                        ///< looked at where strength depends on the rate
 };
 
 /// Deviatoric stress of Coulomb soil and the velocity it allows.
@@ -39,10 +35,11 @@ class Friction {
     Friction(const Discretisation& discretisation, YieldStrength yield, FrictionScheme scheme,
              int iterations);
 
-    /// Predictor, eq. 3. On return soil and wall hold the new stress, and `vx`, `vy` (per node) the
-    /// velocity v* under gravity and friction, without pressure. The pressure is the one the last solve left.
-    void predict(const Neighbours& n, Soil& soil, Wall& wall, const FrictionStep& step,
-                 std::vector<double>& vx, std::vector<double>& vy);
+    /// Predictor, eq. 3. On return soil and wall hold the new stress, and `predicted` the velocity v* under
+    /// gravity and friction, without pressure. The pressure is the one the last solve left; `gradient` takes
+    /// its gradient at the soil that does not sleep, Pa/m.
+    void predict(ParticleSystem& particles, const FrictionStep& step, NodeVectors& predicted,
+                 NodeVectors& gradient);
 
     [[nodiscard]] const YieldStrength& yield() const { return yield_; }
     /// For a bed that has changed.
@@ -50,25 +47,23 @@ class Friction {
 
   private:
     void make_room(const Neighbours& n);
-    void load(const Neighbours& n, int chunk, const Soil& soil, const Wall& wall);
-    void find_strain_rate(TeamMember& member, const Neighbours& n, const Soil& soil, const Wall& wall,
-                          const BedLine& bed);
+    void load(const ParticleSystem& particles, int chunk);
+    void find_strain_rate(TeamMember& member, const ParticleSystem& particles);
     void find_strength(const Neighbours& n, int chunk, const std::vector<double>* pore_pressure);
-    void save(const Neighbours& n, int chunk, Soil& soil, Wall& wall) const;
+    void save(int chunk, ParticleSystem& particles) const;
     void set_momenta(int iterations);
     template <class Start, class Finish>
     void iterate(TeamMember& member, const Neighbours& n, double dt, const Start& start,
                  const Finish& finish);
-    void start_rows(const PairRows& rows, int last, const Neighbours& n, const Soil& soil,
-                    const FrictionStep& step, std::vector<double>& gradient_x,
-                    std::vector<double>& gradient_y);
+    void start_rows(const PairRows& rows, int last, const ParticleSystem& particles, const FrictionStep& step,
+                    NodeVectors& gradient);
     void trial_velocity(const PairRows& rows, int last, double dt);
     [[nodiscard]] const std::array<std::vector<float>, 4>& correction(const Neighbours& n) const;
     void project(const PairRows& rows, const Neighbours& n, double step, double momentum);
     void project_boundary(const Neighbours& n, int a, double step, float momentum);
     void yield_from_strain_rate(const Neighbours& n, int chunk);
     void final_velocity(const PairRows& rows, int last, const Soil& soil, const FrictionStep& step,
-                        std::vector<double>& vx, std::vector<double>& vy);
+                        NodeVectors& predicted);
 
     Discretisation discretisation_;
     YieldStrength yield_;

@@ -5,8 +5,11 @@
 #include "engine/threads/node_array.h"
 
 namespace runout {
-void VelocityFilter::find_gradients(const Neighbours& n, const Wall& wall, const BedLine& bed,
-                                    const Soil& soil) {
+
+void VelocityFilter::find_gradients(const ParticleSystem& particles) {
+    const Neighbours& n = particles.neighbours;
+    const Soil& soil = particles.soil;
+    const Wall& wall = particles.wall;
     soil_velocities(n, soil, velocity_);
     set_all(gradient_, soil.count, VelocityGradient{});
     for (const PairBlock& block : n.blocks) {
@@ -14,7 +17,7 @@ void VelocityFilter::find_gradients(const Neighbours& n, const Wall& wall, const
             VelocityGradient g = plain;
             if (n.nearest_boundary[i] >= 0) {
                 const BedLine::Nearest near =
-                    bed.nearest({soil.x[i], soil.y[i]}, wall.segment[n.nearest_boundary[i]], 8);
+                    wall.line.nearest({soil.x[i], soil.y[i]}, wall.segment[n.nearest_boundary[i]], 8);
                 g = gradient_without_slip(block, n, soil, i, plain, near, discretisation_.spacing);
             }
             gradient_[i] = g.corrected(n, i);
@@ -35,8 +38,10 @@ void VelocityFilter::find_change(const PairBlock& block, const Neighbours& n, co
     });
 }
 
-double VelocityFilter::apply(const Neighbours& n, const Wall& wall, const BedLine& bed, Soil& soil) {
-    find_gradients(n, wall, bed, soil);
+double VelocityFilter::apply(ParticleSystem& particles) {
+    const Neighbours& n = particles.neighbours;
+    Soil& soil = particles.soil;
+    find_gradients(particles);
     change_.assign(static_cast<std::size_t>(soil.count), Vec2{0, 0});
     for (const PairBlock& block : n.blocks) find_change(block, n, soil);
     double taken = 0.0;

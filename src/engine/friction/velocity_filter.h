@@ -2,11 +2,8 @@
 
 #include <vector>
 
-#include "engine/pairs/neighbours.h"
 #include "engine/pairs/operators.h"
-#include "engine/particles/bed_line.h"
-#include "engine/particles/soil.h"
-#include "engine/particles/wall.h"
+#include "engine/pairs/particle_system.h"
 
 namespace runout {
 
@@ -23,10 +20,10 @@ class VelocityFilter {
         : discretisation_(discretisation), share_(share) {}
 
     /// Returns the kinetic energy taken out, per mass of one particle, J/kg.
-    double apply(const Neighbours& n, const Wall& wall, const BedLine& bed, Soil& soil);
+    double apply(ParticleSystem& particles);
 
   private:
-    void find_gradients(const Neighbours& n, const Wall& wall, const BedLine& bed, const Soil& soil);
+    void find_gradients(const ParticleSystem& particles);
     void find_change(const PairBlock& block, const Neighbours& n, const Soil& soil);
 
     Discretisation discretisation_;

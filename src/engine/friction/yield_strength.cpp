@@ -14,6 +14,17 @@ double base_strength_ratio(const Material& material, const Effects& effects, dou
     return std::isnan(angle) ? own : std::min(own, std::tan(angle));
 }
 
+double least_strength(const Material& material, const Effects& effects) {
+    double strength = std::sin(material.friction_angle);
+    if (!effects.base_friction) return strength;
+    const auto weaken = [&](double angle) {
+        if (!std::isnan(angle)) strength = std::min(strength, std::tan(angle));
+    };
+    weaken(effects.base_friction->angle);
+    for (const FrictionRange& range : effects.base_friction->ranges) weaken(range.angle);
+    return strength;
+}
+
 std::vector<double> base_strength_ratios(const Material& material, const Effects& effects, const Wall& wall) {
     if (!effects.base_friction) return {};
     std::vector<double> ratios;

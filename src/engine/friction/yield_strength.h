@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/particles/wall.h"
-#include "scene/scene.h"
+#include "engine/problem.h"
 
 namespace runout {
 
@@ -13,7 +13,11 @@ namespace runout {
 /// sin(phi).
 double base_strength_ratio(const Material& material, const Effects& effects, double x);
 
-/// The same per boundary particle. Empty where the whole bed is rough.
+/// What resists sliding on the bed where that is least, over the pressure: sin(phi), or tan(delta) of a
+/// weaker base.
+double least_strength(const Material& material, const Effects& effects);
+
+/// base_strength_ratio per boundary particle. Empty where the whole bed is rough.
 std::vector<double> base_strength_ratios(const Material& material, const Effects& effects, const Wall& wall);
 
 /// Greatest mean tension that the soil bears, Pa: as given, or that of uniaxial tension at yield,

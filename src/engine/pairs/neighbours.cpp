@@ -141,10 +141,9 @@ void NeighbourSearch::sort(Soil& soil) {
     for (int& point : share_points_) point = std::min(point, soil.count);
     grid_.sort(soil.x, soil.y, share_points_, order_);
     for (int i = soil.count; i < soil.padded(); ++i) order_.push_back(i);
-    permute(std::array{&soil.x, &soil.y, &soil.vx, &soil.vy, &soil.pressure, &soil.sxx, &soil.sxy,
-                       &soil.contact_x, &soil.contact_y},
-            order_, share_rows_, scratch_);
-    permute(std::array{&soil.id, &soil.aggregate}, order_, share_rows_, name_scratch_);
+    const SoilFields fields = fields_of(soil);
+    permute(fields.numbers, order_, share_rows_, scratch_);
+    permute(fields.names, order_, share_rows_, name_scratch_);
 }
 
 /// Each thread goes on with the rows that it works on.

@@ -119,7 +119,7 @@ class NeighbourSearch {
     CellGrid grid_;
     std::vector<int> order_;
     std::array<std::vector<double>, 3> scratch_;
-    std::array<std::vector<int>, 2> name_scratch_;
+    std::array<std::vector<int>, 1> name_scratch_;
     // Shares of the threads, see even_shares.
     std::vector<int> share_blocks_;
     std::vector<int> share_rows_, share_points_;  ///< with and without the padding

@@ -1,6 +1,7 @@
 #include "engine/pairs/operators.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/threads/node_array.h"
 
@@ -20,6 +21,36 @@ void soil_velocities(const Neighbours& n, const Soil& soil, std::vector<FloatPai
     set_rest(velocity, soil.count, n.nodes, FloatPair{});
     for (int i = 0; i < soil.count; ++i)
         velocity[i] = {static_cast<float>(soil.vx[i]), static_cast<float>(soil.vy[i])};
+}
+
+Vec2 pair_traction(const ParticleSystem& particles, const WallPair& pair) {
+    const Soil& soil = particles.soil;
+    const Wall& wall = particles.wall;
+    const double p = soil.pressure[pair.row] + wall.pressure[pair.boundary];
+    const double sxx = soil.sxx[pair.row] + wall.sxx[pair.boundary];
+    const double sxy = soil.sxy[pair.row] + wall.sxy[pair.boundary];
+    return {(p + sxx) * pair.gx + sxy * pair.gy, sxy * pair.gx + (p - sxx) * pair.gy};
+}
+
+Vec2 bed_force(const ParticleSystem& particles, double volume) {
+    Vec2 force{0, 0};
+    for (const PairBlock& block : particles.neighbours.blocks)
+        for (const WallPair& pair : block.wall_pairs) force += pair_traction(particles, pair);
+    return volume * force;
+}
+
+std::vector<double> strain_rates(const ParticleSystem& particles) {
+    const Neighbours& n = particles.neighbours;
+    std::vector<FloatPair> velocity;
+    soil_velocities(n, particles.soil, velocity);
+    std::vector<double> rate(particles.soil.count, 0.0);
+    for (const PairBlock& block : n.blocks) {
+        for_each_velocity_gradient(block, n, velocity.data(), [&](int i, const VelocityGradient& plain) {
+            const VelocityGradient g = plain.corrected(n, i);
+            rate[i] = std::hypot(g.exx(), g.exy());
+        });
+    }
+    return rate;
 }
 
 VelocityGradient boundary_velocity_gradient(const Neighbours& n, int a, const FloatPair* velocity) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/pairs/neighbours.h"
-#include "engine/particles/soil.h"
+#include "core/vec2.h"
+#include "engine/pairs/particle_system.h"
 #include "engine/simd/pair_kernels.h"
 #include "engine/threads/node_array.h"
 
@@ -88,6 +88,15 @@ void for_each_velocity_gradient(const PairBlock& block, const Neighbours& n, con
         f(block.first_row + k, VelocityGradient{g.xx[k], g.xy[k], g.yx[k], g.yy[k]});
     }
 }
+
+/// What a soil particle and the bed do to each other over a pair, per volume of a particle: N/m3, on the bed.
+Vec2 pair_traction(const ParticleSystem& particles, const WallPair& pair);
+
+/// Force of the soil on the bed as the pairs carry it, N per metre of width. `volume`: of a particle, m2.
+Vec2 bed_force(const ParticleSystem& particles, double volume);
+
+/// Strain rate |e| per soil particle for the velocities as they are, 1/s.
+std::vector<double> strain_rates(const ParticleSystem& particles);
 
 /// Velocity gradient at active boundary particle `a` from its own pairs.
 VelocityGradient boundary_velocity_gradient(const Neighbours& n, int a, const FloatPair* velocity);

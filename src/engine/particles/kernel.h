@@ -41,6 +41,12 @@ class WendlandKernel {
     double slope_scale_;
 };
 
+/// Density ratio below which a particle belongs to the free surface (the paper's 0.97).
+constexpr double surface_density = 0.97;
+
+/// Density ratio below which a particle flies alone: it does not load, pull at or pace the others.
+constexpr double body_density = 0.6;
+
 /// Numbers that every operator needs, the same for the whole run.
 struct Discretisation {
     double spacing = 0;            ///< dl, m; spacing^2 is a particle's volume per metre of width

@@ -23,14 +23,14 @@ double edge_length(const Polygon& outline, std::size_t i) {
 }
 
 /// Edge that lies on the bed, the longest; the longest of all for a mass in the air.
-std::size_t base_edge(const Source& source) {
-    const BedLine bed(source.bed);
-    const double tolerance = 1e-6 * std::sqrt(source.area);
+std::size_t base_edge(const Mass& mass) {
+    const BedLine bed(mass.bed);
+    const double tolerance = 1e-6 * std::sqrt(mass.area);
     std::size_t best = 0;
     double best_rank = -1.0;
-    for (std::size_t i = 0; i < source.outline.size(); ++i) {
-        const Vec2 a = source.outline[i];
-        const Vec2 b = source.outline[(i + 1) % source.outline.size()];
+    for (std::size_t i = 0; i < mass.outline.size(); ++i) {
+        const Vec2 a = mass.outline[i];
+        const Vec2 b = mass.outline[(i + 1) % mass.outline.size()];
         const bool on_bed = std::abs(bed.nearest(a).distance) < tolerance &&
                             std::abs(bed.nearest(b).distance) < tolerance &&
                             std::abs(bed.nearest(0.5 * (a + b)).distance) < tolerance;
@@ -77,8 +77,7 @@ Packing stretched_lattice(const Polygon& outline, const Axes& axes, std::size_t 
         for (int j = 0; j < rows; ++j) {
             const Vec2 p = axes.origin + axes.along * (length * (i + 0.5) / columns) +
                            axes.up * (height * (j + 0.5) / rows);
-            packing.x.push_back(p.x());
-            packing.y.push_back(p.y());
+            packing.points.push_back(p);
         }
     }
     packing.spacing = std::sqrt(length * height / (static_cast<double>(columns) * rows));
@@ -100,8 +99,7 @@ Packing lattice_inside(const Polygon& outline, const Axes& axes, double spacing)
         for (int j = static_cast<int>(low_u / spacing) - 1; j * spacing < high_u; ++j) {
             const Vec2 p = axes.origin + axes.along * ((i + 0.5) * spacing) + axes.up * ((j + 0.5) * spacing);
             if (!contains(outline, p)) continue;
-            packing.x.push_back(p.x());
-            packing.y.push_back(p.y());
+            packing.points.push_back(p);
         }
     }
     packing.spacing = spacing;
@@ -109,26 +107,24 @@ Packing lattice_inside(const Polygon& outline, const Axes& axes, double spacing)
 }
 
 /// Lattice whose number of points inside comes nearest to area / spacing^2, by small changes of its spacing.
-Packing fitted_lattice(const Source& source, const Axes& axes, double spacing) {
-    const double wanted = source.area / (spacing * spacing);
+Packing fitted_lattice(const Mass& mass, const Axes& axes, double spacing) {
+    const double wanted = mass.area / (spacing * spacing);
     Packing best;
     double best_miss = 1e300;
     for (int k = 0; k <= 40; ++k) {
         const double stretch = 1.0 + 0.0025 * ((k + 1) / 2) * (k % 2 == 0 ? 1.0 : -1.0);
-        Packing trial = lattice_inside(source.outline, axes, spacing * stretch);
-        const double miss = std::abs(static_cast<double>(trial.x.size()) - wanted) + 0.01 * k;
-        if (trial.x.empty() || miss >= best_miss) continue;
+        Packing trial = lattice_inside(mass.outline, axes, spacing * stretch);
+        const double miss = std::abs(static_cast<double>(trial.points.size()) - wanted) + 0.01 * k;
+        if (trial.points.empty() || miss >= best_miss) continue;
         best_miss = miss;
         best = std::move(trial);
     }
-    if (best.x.empty()) {  // a sliver between the lattice lines
+    if (best.points.empty()) {  // a sliver between the lattice lines
         Vec2 centre{0, 0};
-        for (const Vec2& corner : source.outline)
-            centre += corner / static_cast<double>(source.outline.size());
-        best.x = {centre.x()};
-        best.y = {centre.y()};
+        for (const Vec2& corner : mass.outline) centre += corner / static_cast<double>(mass.outline.size());
+        best.points = {centre};
     }
-    best.spacing = std::sqrt(source.area / static_cast<double>(best.x.size()));
+    best.spacing = std::sqrt(mass.area / static_cast<double>(best.points.size()));
     return best;
 }
 
@@ -137,7 +133,7 @@ Packing fitted_lattice(const Source& source, const Axes& axes, double spacing) {
 void settle(Packing& packing, const Polygon& outline, double smoothing_ratio) {
     const Discretisation d = make_discretisation(packing.spacing, smoothing_ratio, 1.0);
     const Wall shell = make_wall(BedLine(outline, true), d);
-    Soil soil = soil_at(packing.x, packing.y);
+    Soil soil = soil_at(packing.points);
     NeighbourSearch search(d, 1);
     Neighbours n;
     for (int pass = 0; pass < 200; ++pass) {
@@ -157,8 +153,7 @@ void settle(Packing& packing, const Polygon& outline, double smoothing_ratio) {
         }
         if (largest < 0.002 * d.spacing) break;
     }
-    packing.x.assign(soil.x.begin(), soil.x.begin() + soil.count);
-    packing.y.assign(soil.y.begin(), soil.y.begin() + soil.count);
+    for (int i = 0; i < soil.count; ++i) packing.points[i] = {soil.x[i], soil.y[i]};
 }
 
 /// The same on every machine, which the distributions of the standard library are not.
@@ -168,29 +163,27 @@ double uniform_in_unit(std::mt19937_64& generator) {
 
 void jitter(Packing& packing, const Polygon& outline, int seed) {
     std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
-    for (std::size_t i = 0; i < packing.x.size(); ++i) {
+    for (Vec2& point : packing.points) {
         const Vec2 step{jitter_size * (2.0 * uniform_in_unit(generator) - 1.0),
                         jitter_size * (2.0 * uniform_in_unit(generator) - 1.0)};
-        const Vec2 moved = Vec2{packing.x[i], packing.y[i]} + packing.spacing * step;
-        if (!contains(outline, moved)) continue;
-        packing.x[i] = moved.x();
-        packing.y[i] = moved.y();
+        const Vec2 moved = point + packing.spacing * step;
+        if (contains(outline, moved)) point = moved;
     }
 }
 
 }  // namespace
 
-Packing pack_source(const Source& source, double spacing, double smoothing_ratio, int seed) {
-    const std::size_t base = base_edge(source);
-    const Vec2 from = source.outline[base];
-    const Vec2 along = (source.outline[(base + 1) % source.outline.size()] - from).normalized();
+Packing pack_mass(const Mass& mass, double spacing, double smoothing_ratio, int seed) {
+    const std::size_t base = base_edge(mass);
+    const Vec2 from = mass.outline[base];
+    const Vec2 along = (mass.outline[(base + 1) % mass.outline.size()] - from).normalized();
     const Axes axes{from, along, {-along.y(), along.x()}};
-    const bool rectangle = is_rectangle(source.outline);
-    Packing packing = rectangle ? stretched_lattice(source.outline, axes, base, spacing)
-                                : fitted_lattice(source, axes, spacing);
+    const bool rectangle = is_rectangle(mass.outline);
+    Packing packing = rectangle ? stretched_lattice(mass.outline, axes, base, spacing)
+                                : fitted_lattice(mass, axes, spacing);
     if (rectangle && seed == 0) return packing;
-    if (seed != 0) jitter(packing, source.outline, seed);
-    settle(packing, source.outline, smoothing_ratio);
+    if (seed != 0) jitter(packing, mass.outline, seed);
+    settle(packing, mass.outline, smoothing_ratio);
     return packing;
 }
 

@@ -155,6 +155,7 @@ void sum_wall_neighbours(Wall& wall, const Discretisation& d) {
 
 Wall make_wall(const BedLine& bed, const Discretisation& d) {
     Wall wall;
+    wall.line = bed;
     place_particles(wall, bed, d.spacing);
     tie_dummies(wall, 2.0 * wall_layers * d.spacing);
     wall.grid.size = WendlandKernel(d.smoothing_length).support();

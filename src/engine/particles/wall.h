@@ -13,6 +13,8 @@ namespace runout {
 /// nearest boundary particle whose pressure and stress it copies. (The paper puts the boundary layer on the
 /// line itself; the soil then stands half a spacing off its own outline.)
 struct Wall {
+    BedLine line{Polyline{}};  ///< the bed that the particles stand for
+
     // Boundary particles first, then dummies, each kind sorted by cell of `grid`.
     std::vector<double> x, y;  ///< m
     std::vector<int> group;    ///< index of the boundary particle that speaks for this particle

@@ -115,12 +115,14 @@ void CoarseLevel::make_sums(int chunks) {
     cells_->stencil.resize(chunks);
 }
 
-void CoarseLevel::carry_on(const FineLevel& fine, const Soil& soil) {
-    const Neighbours& n = fine.n;
+void CoarseLevel::carry_on(const FineLevel& fine) {
+    const Neighbours& n = fine.particles.neighbours;
+    const Soil& soil = fine.particles.soil;
     set_rest(cell_, n.soil_count, n.nodes, -1);
+    cell_of_id_.resize(soil.count, -1);
     make_sums(n.chunks.count());
     for_each_chunk(n.chunks, [&](int chunk) {
-        for_each_soil(n, chunk, [&](int i) { cell_[i] = fine.free[i] ? soil.aggregate[i] : -1; });
+        for_each_soil(n, chunk, [&](int i) { cell_[i] = fine.free[i] ? cell_of_id_[soil.id[i]] : -1; });
         for_each_boundary(n, chunk, [&](int a) {
             const int node = n.first_boundary + a;
             cell_[node] = fine.free[node] ? wall_cell_[n.active[a]] : -1;
@@ -129,12 +131,13 @@ void CoarseLevel::carry_on(const FineLevel& fine, const Soil& soil) {
     });
 }
 
-void CoarseLevel::build(const FineLevel& fine, Soil& soil) {
-    const RowChunks& chunks = fine.n.chunks;
-    place_nodes(fine, soil);
+void CoarseLevel::build(const FineLevel& fine) {
+    const Neighbours& n = fine.particles.neighbours;
+    const RowChunks& chunks = n.chunks;
+    place_nodes(fine);
     make_sums(chunks.count());
     for_each_chunk(chunks, [&](int chunk) {
-        find_range(fine.n, chunk);
+        find_range(n, chunk);
         assemble(fine, chunk);
     });
     collect();
@@ -142,8 +145,10 @@ void CoarseLevel::build(const FineLevel& fine, Soil& soil) {
 }
 
 /// Numbers the cells that hold free nodes, in order of column and row.
-void CoarseLevel::place_nodes(const FineLevel& fine, Soil& soil) {
-    const Neighbours& n = fine.n;
+void CoarseLevel::place_nodes(const FineLevel& fine) {
+    const Neighbours& n = fine.particles.neighbours;
+    const Soil& soil = fine.particles.soil;
+    const Wall& wall = fine.particles.wall;
     Cells& cells = *cells_;
     if (cells.seen.size() < n.chunks.list.size()) cells.seen.resize(n.chunks.list.size());
     const auto cell_at = [&](double x, double y) {
@@ -152,7 +157,7 @@ void CoarseLevel::place_nodes(const FineLevel& fine, Soil& soil) {
     const auto cell_of = [&](int node) {
         if (node < n.soil_count) return cell_at(soil.x[node], soil.y[node]);
         const int b = n.active[node - n.first_boundary];
-        return cell_at(fine.wall.x[b], fine.wall.y[b]);
+        return cell_at(wall.x[b], wall.y[b]);
     };
     for_each_chunk(n.chunks, [&](int chunk) {
         std::vector<Cell>& seen = cells.seen[chunk];
@@ -171,13 +176,14 @@ void CoarseLevel::place_nodes(const FineLevel& fine, Soil& soil) {
     std::sort(cells.list.begin(), cells.list.end());
     cells.list.erase(std::unique(cells.list.begin(), cells.list.end()), cells.list.end());
     set_rest(cell_, n.soil_count, n.nodes, -1);
-    wall_cell_.assign(fine.wall.boundary_count, -1);
+    cell_of_id_.resize(soil.count, -1);
+    wall_cell_.assign(wall.boundary_count, -1);
     for_each_chunk(n.chunks, [&](int chunk) {
         for_each_node(n, chunk, [&](int i) {
             const auto at = std::lower_bound(cells.list.begin(), cells.list.end(), cell_of(i));
             cell_[i] = fine.free[i] ? static_cast<int>(at - cells.list.begin()) : -1;
         });
-        for_each_soil(n, chunk, [&](int i) { soil.aggregate[i] = cell_[i]; });
+        for_each_soil(n, chunk, [&](int i) { cell_of_id_[soil.id[i]] = cell_[i]; });
         for_each_boundary(n, chunk, [&](int a) { wall_cell_[n.active[a]] = cell_[n.first_boundary + a]; });
     });
 }
@@ -197,7 +203,8 @@ void CoarseLevel::find_range(const Neighbours& n, int chunk) {
 
 /// The share of P^T A P that comes of the rows of a chunk.
 void CoarseLevel::assemble(const FineLevel& fine, int chunk) {
-    const Neighbours& n = fine.n;
+    const Neighbours& n = fine.particles.neighbours;
+    const Wall& wall = fine.particles.wall;
     const std::vector<Cell>& list = cells_->list;
     std::vector<Stencil>& stencil = cells_->stencil[chunk];
     set_all(stencil, sums_[chunk].sum.size(), Stencil{});
@@ -222,7 +229,6 @@ void CoarseLevel::assemble(const FineLevel& fine, int chunk) {
         const int node = n.first_boundary + a;
         for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k)
             add(node, n.boundary_pairs[k].soil, -static_cast<double>(n.boundary_pairs[k].stiffness));
-        const Wall& wall = fine.wall;
         for (int k = wall.neighbour_start[n.active[a]]; k < wall.neighbour_start[n.active[a] + 1]; ++k) {
             const int other = n.node_of_boundary[wall.neighbour[k]];
             if (other >= 0) add(node, other, -wall.neighbour_stiffness[k]);

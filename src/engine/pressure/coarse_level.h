@@ -4,9 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/pairs/neighbours.h"
-#include "engine/particles/soil.h"
-#include "engine/particles/wall.h"
+#include "engine/pairs/particle_system.h"
 
 namespace runout {
 
@@ -28,8 +26,7 @@ struct CoarseCorrection {
 /// What the fine level gives to make a coarse one of: the matrix diag(diagonal) - k over the nodes with
 /// free != 0.
 struct FineLevel {
-    const Neighbours& n;
-    const Wall& wall;
+    const ParticleSystem& particles;
     const std::vector<double>& diagonal;
     const std::vector<char>& free;
 };
@@ -45,9 +42,9 @@ class CoarseLevel {
     CoarseLevel& operator=(const CoarseLevel&) = delete;
 
     /// The nodes go on with the cells and the factor of the last `build`.
-    void carry_on(const FineLevel& fine, const Soil& soil);
+    void carry_on(const FineLevel& fine);
     /// Makes new cells and factorises P^T A P.
-    void build(const FineLevel& fine, Soil& soil);
+    void build(const FineLevel& fine);
     /// There is nothing to go on with.
     [[nodiscard]] bool empty() const { return wall_cell_.empty(); }
     /// The wall is another one from now on.
@@ -65,14 +62,15 @@ class CoarseLevel {
     struct Factor;
 
     void make_sums(int chunks);
-    void place_nodes(const FineLevel& fine, Soil& soil);
+    void place_nodes(const FineLevel& fine);
     void find_range(const Neighbours& n, int chunk);
     void assemble(const FineLevel& fine, int chunk);
     void collect();
 
-    double size_;                 ///< edge of a cell, m
-    std::vector<int> cell_;       ///< per node
-    std::vector<int> wall_cell_;  ///< per boundary particle of the wall
+    double size_;                  ///< edge of a cell, m
+    std::vector<int> cell_;        ///< per node
+    std::vector<int> wall_cell_;   ///< per boundary particle of the wall
+    std::vector<int> cell_of_id_;  ///< per soil particle, by id; -1: none yet
     int chunks_ = 0;
     std::vector<CellSums> sums_;  ///< per chunk
     std::unique_ptr<Cells> cells_;

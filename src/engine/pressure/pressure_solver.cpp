@@ -25,7 +25,9 @@ PressureSolver::PressureSolver(const Discretisation& discretisation, double grav
                   discretisation.spacing),
       coarse_(discretisation.spacing) {}
 
-void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& wall) {
+void PressureSolver::set_up(const ParticleSystem& particles) {
+    const Neighbours& n = particles.neighbours;
+    const Soil& soil = particles.soil;
     set_rest(pressure_, soil.count, n.nodes, 0.0);
     set_rest(diagonal_, soil.count, n.nodes, 1.0);
     set_rest(free_, soil.count, n.nodes, char{0});
@@ -39,11 +41,13 @@ void PressureSolver::set_up(const Neighbours& n, const Soil& soil, const Wall& w
                 diagonal_[i] += std::max(0.0, discretisation_.lattice_stiffness - n.stiffness_sum[i]);
             }
         });
-        for_each_boundary(n, chunk, [&](int a) { set_up_boundary(n, wall, a); });
+        for_each_boundary(n, chunk, [&](int a) { set_up_boundary(particles, a); });
     });
 }
 
-void PressureSolver::set_up_boundary(const Neighbours& n, const Wall& wall, int a) {
+void PressureSolver::set_up_boundary(const ParticleSystem& particles, int a) {
+    const Neighbours& n = particles.neighbours;
+    const Wall& wall = particles.wall;
     const int node = n.first_boundary + a;
     const int b = n.active[a];
     const bool at_surface = n.density[node] < surface_density;
@@ -63,15 +67,15 @@ void PressureSolver::set_up_boundary(const Neighbours& n, const Wall& wall, int 
 }
 
 /// Anew where the one at hand is worn.
-void PressureSolver::set_up_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall) {
+void PressureSolver::set_up_coarse_level(const ParticleSystem& particles) {
     const bool worn = steps_since_build_ >= steps_per_coarse_build ||
                       last_iterations_ > iterations_after_build_ + iterations_after_build_ / 2 + 3;
-    const FineLevel fine{n, wall, diagonal_, free_};
+    const FineLevel fine{particles, diagonal_, free_};
     if (coarse_.empty() || worn) {
-        coarse_.build(fine, soil);
+        coarse_.build(fine);
         steps_since_build_ = 0;
     } else {
-        coarse_.carry_on(fine, soil);
+        coarse_.carry_on(fine);
         ++steps_since_build_;
     }
 }
@@ -86,9 +90,10 @@ void PressureSolver::make_room(const Neighbours& n) {
 
 /// A p = (wanted - div(v* - dt grad(m p^n) / rho)) / dt + A m p^n, and the residual of p = p^n. Two passes:
 /// A p^n and trial velocity, then its divergence.
-void PressureSolver::begin(TeamMember& member, const Neighbours& n, const Wall& wall,
-                           const std::vector<double>& vx, const std::vector<double>& vy,
-                           const PressureStep& step) {
+void PressureSolver::find_right_hand_side(TeamMember& member, const ParticleSystem& particles,
+                                          const NodeVectors& predicted, const PressureStep& step,
+                                          NodeVectors& gradient) {
+    const Neighbours& n = particles.neighbours;
     const double dt = step.dt;
     const double scale = step.memory * dt / discretisation_.density;
     const double rate = step.correct_density ? 1.0 / std::max(relaxation_time_, 10.0 * dt) : 0.0;
@@ -96,13 +101,11 @@ void PressureSolver::begin(TeamMember& member, const Neighbours& n, const Wall& 
         const double wanted = rate * std::max(0.0, n.density[node] - 1.0);
         return (wanted - divergence) / dt + step.memory * product_[node];
     };
-    std::vector<double>& gradient_x = residual_;  // in places that are not in use yet
-    std::vector<double>& gradient_y = direction_;
     const auto try_velocity = [&](const PairRows& rows, int last) {
-        pair_kernels().pressure_gradient(rows, pressure_.data(), gradient_x.data(), gradient_y.data());
+        pair_kernels().pressure_gradient(rows, pressure_.data(), gradient.x.data(), gradient.y.data());
         for (int i = rows.first_row; i < last; ++i) {
-            trial_velocity_[i] = {static_cast<float>(vx[i] - scale * gradient_x[i]),
-                                  static_cast<float>(vy[i] - scale * gradient_y[i])};
+            trial_velocity_[i] = {static_cast<float>(predicted.x[i] - scale * gradient.x[i]),
+                                  static_cast<float>(predicted.y[i] - scale * gradient.y[i])};
         }
     };
     const auto find_divergence = [&](const PairRows& rows, int last) {
@@ -111,7 +114,7 @@ void PressureSolver::begin(TeamMember& member, const Neighbours& n, const Wall& 
     };
     member.for_each_pass(2, [&](int pass, int chunk) {
         if (pass == 0) {
-            multiply(n, wall, chunk, pressure_, product_);
+            multiply(particles, chunk, pressure_, product_);
             return for_each_awake(n, chunk, try_velocity);
         }
         for_each_awake(n, chunk, find_divergence);
@@ -142,19 +145,22 @@ double PressureSolver::boundary_divergence(const Neighbours& n, int a) const {
 }
 
 /// out = A x in the rows of a chunk. Returns their share of x . A x.
-double PressureSolver::multiply(const Neighbours& n, const Wall& wall, int chunk,
-                                const std::vector<double>& x, std::vector<double>& out) const {
+double PressureSolver::multiply(const ParticleSystem& particles, int chunk, const std::vector<double>& x,
+                                std::vector<double>& out) const {
+    const Neighbours& n = particles.neighbours;
     double sum = 0.0;
     for_each_awake(n, chunk, [&](const PairRows& rows, int last) {
         pair_kernels().pressure_product(rows, diagonal_.data(), x.data(), out.data());
         for (int i = rows.first_row; i < last; ++i) sum += x[i] * out[i];
     });
-    for_each_boundary(n, chunk, [&](int a) { sum += multiply_boundary_row(n, wall, a, x, out); });
+    for_each_boundary(n, chunk, [&](int a) { sum += multiply_boundary_row(particles, a, x, out); });
     return sum;
 }
 
-double PressureSolver::multiply_boundary_row(const Neighbours& n, const Wall& wall, int a,
+double PressureSolver::multiply_boundary_row(const ParticleSystem& particles, int a,
                                              const std::vector<double>& x, std::vector<double>& out) const {
+    const Neighbours& n = particles.neighbours;
+    const Wall& wall = particles.wall;
     const int node = n.first_boundary + a;
     const int b = n.active[a];
     double sum = diagonal_[node] * x[node];
@@ -188,16 +194,16 @@ void PressureSolver::renew_residual(const Neighbours& n, int chunk, const Functi
 
 /// The next direction in a chunk: z + beta times the last, z = D^-1 r + coarse correction. Soil that sleeps
 /// keeps its 0.
-void PressureSolver::turn(const Neighbours& n, int chunk, double beta, const double* coarse) {
+void PressureSolver::renew_direction(const Neighbours& n, int chunk, double beta, const double* coarse) {
     const std::vector<int>& cell = coarse_.cell();
-    const auto turn_node = [&](int i) {
+    const auto renew = [&](int i) {
         const double added = cell[i] >= 0 ? coarse_scale * coarse[cell[i]] : 0.0;
         direction_[i] = residual_[i] / diagonal_[i] + added + beta * direction_[i];
     };
     for_each_awake(n, chunk, [&](const PairRows& rows, int last) {
-        for (int i = rows.first_row; i < last; ++i) turn_node(i);
+        for (int i = rows.first_row; i < last; ++i) renew(i);
     });
-    for_each_boundary(n, chunk, [&](int a) { turn_node(n.first_boundary + a); });
+    for_each_boundary(n, chunk, [&](int a) { renew(n.first_boundary + a); });
 }
 
 /// What the threads know of the iteration.
@@ -229,25 +235,26 @@ void PressureSolver::precondition(Iteration& now) {
 }
 
 /// Conjugate gradients from the pressure and the residual at hand.
-void PressureSolver::iterate(TeamMember& member, const Neighbours& n, const Wall& wall, Iteration& now) {
-    member.meet([&] {
+void PressureSolver::iterate(TeamMember& member, const ParticleSystem& particles, Iteration& now) {
+    const Neighbours& n = particles.neighbours;
+    member.synchronise([&] {
         now.norm = std::sqrt(sum_of(partial_norms_).whole);
         now.target = std::max(tolerance_ * now.norm, negligible_);
         precondition(now);
     });
     while (now.coarse != nullptr) {
         member.for_each_pass(2, [&, beta = now.beta, coarse = now.coarse](int pass, int chunk) {
-            if (pass == 0) return turn(n, chunk, beta, coarse);
-            partial_[chunk] = multiply(n, wall, chunk, direction_, product_);
+            if (pass == 0) return renew_direction(n, chunk, beta, coarse);
+            partial_[chunk] = multiply(particles, chunk, direction_, product_);
         });
-        member.meet([&] { now.alpha = now.rz / sum_of(partial_); });
+        member.synchronise([&] { now.alpha = now.rz / sum_of(partial_); });
         member.for_each_chunk([&, alpha = now.alpha](int chunk) {
             renew_residual(n, chunk, [&](int i) {
                 pressure_[i] += alpha * direction_[i];
                 return residual_[i] - alpha * product_[i];
             });
         });
-        member.meet([&] {
+        member.synchronise([&] {
             ++now.result.iterations;
             precondition(now);
         });
@@ -257,7 +264,10 @@ void PressureSolver::iterate(TeamMember& member, const Neighbours& n, const Wall
 /// Cuts off negative pressure, at zero unless the soil is cohesive; at a free surface always, where it would
 /// draw grains together that do not touch. Sets what soil and wall carry into the next step. Returns the
 /// highest pressure of the soil of the chunk in this one.
-double PressureSolver::hand_over(const Neighbours& n, int chunk, double renewal, Soil& soil, Wall& wall) {
+double PressureSolver::carry_pressure(int chunk, double renewal, ParticleSystem& particles) {
+    const Neighbours& n = particles.neighbours;
+    Soil& soil = particles.soil;
+    Wall& wall = particles.wall;
     const auto settle = [&](double& carried, int node) {
         const double least = tension_ > 0.0 && n.density[node] >= body_density ? -tension_ : 0.0;
         pressure_[node] = std::max(pressure_[node], least);
@@ -272,24 +282,34 @@ double PressureSolver::hand_over(const Neighbours& n, int chunk, double renewal,
     return highest;
 }
 
-PressureSolve PressureSolver::solve(const Neighbours& n, Soil& soil, Wall& wall,
-                                    const std::vector<double>& vx, const std::vector<double>& vy,
-                                    const PressureStep& step) {
-    set_up(n, soil, wall);
+void PressureSolver::find_gradient(const Neighbours& n, NodeVectors& gradient) const {
+    for_each_chunk(n.chunks, [&](int chunk) {
+        for_each_awake(n, chunk, [&](const PairRows& rows, int) {
+            pair_kernels().pressure_gradient(rows, pressure_.data(), gradient.x.data(), gradient.y.data());
+        });
+    });
+}
+
+PressureSolve PressureSolver::solve(ParticleSystem& particles, const NodeVectors& predicted,
+                                    const PressureStep& step, NodeVectors& gradient) {
+    const Neighbours& n = particles.neighbours;
+    for (auto* field : {&gradient.x, &gradient.y}) fit(*field, n.first_boundary);
+    set_up(particles);
     PressureStep start = step;
     if (filter_) {
-        filter_->apply(n, soil, pressure_);
+        filter_->apply(n, particles.soil, pressure_);
         start.memory = 1.0;
     }
-    set_up_coarse_level(n, soil, wall);
+    set_up_coarse_level(particles);
     make_room(n);
     Iteration now;
     with_team(n.chunks, signals_, [&](TeamMember& member) {
-        begin(member, n, wall, vx, vy, start);
-        iterate(member, n, wall, now);
+        find_right_hand_side(member, particles, predicted, start, gradient);
+        iterate(member, particles, now);
         member.for_each_chunk(
-            [&](int chunk) { partial_[chunk] = hand_over(n, chunk, step.renewal, soil, wall); });
+            [&](int chunk) { partial_[chunk] = carry_pressure(chunk, step.renewal, particles); });
     });
+    find_gradient(n, gradient);
     last_iterations_ = now.result.iterations;
     if (steps_since_build_ == 0) iterations_after_build_ = now.result.iterations;
     now.result.highest = *std::max_element(partial_.begin(), partial_.end());

@@ -3,20 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "engine/pairs/neighbours.h"
-#include "engine/particles/soil.h"
-#include "engine/particles/wall.h"
+#include "engine/pairs/particle_system.h"
 #include "engine/pressure/coarse_level.h"
 #include "engine/pressure/pressure_filter.h"
 #include "engine/threads/row_passes.h"
 
 namespace runout {
-
-/// Density ratio below which a particle belongs to the free surface (the paper's 0.97).
-constexpr double surface_density = 0.97;
-
-/// Density ratio below which a particle flies alone: it does not load, pull at or pace the others.
-constexpr double body_density = 0.6;
 
 /// How a pressure solve is to be done.
 struct PressureStep {
@@ -80,9 +72,11 @@ class PressureSolver {
     /// The wall is another one from now on.
     void forget_wall() { coarse_.forget_wall(); }
 
-    /// On return soil and wall hold the pressure that the next step starts from.
-    PressureSolve solve(const Neighbours& n, Soil& soil, Wall& wall, const std::vector<double>& vx,
-                        const std::vector<double>& vy, const PressureStep& step);
+    /// `predicted`: velocity v* under gravity and friction. On return soil and wall hold the pressure that
+    /// the next step starts from, and `gradient` that of node_pressure() at the soil that does not sleep,
+    /// Pa/m.
+    PressureSolve solve(ParticleSystem& particles, const NodeVectors& predicted, const PressureStep& step,
+                        NodeVectors& gradient);
 
     /// Pressure per node that makes the velocity divergence-free at the end of the step, for the corrector.
     [[nodiscard]] const std::vector<double>& node_pressure() const { return pressure_; }
@@ -90,23 +84,24 @@ class PressureSolver {
   private:
     struct Iteration;
 
-    void set_up(const Neighbours& n, const Soil& soil, const Wall& wall);
-    void set_up_boundary(const Neighbours& n, const Wall& wall, int a);
-    void set_up_coarse_level(const Neighbours& n, Soil& soil, const Wall& wall);
+    void set_up(const ParticleSystem& particles);
+    void set_up_boundary(const ParticleSystem& particles, int a);
+    void set_up_coarse_level(const ParticleSystem& particles);
     void make_room(const Neighbours& n);
-    void begin(TeamMember& member, const Neighbours& n, const Wall& wall, const std::vector<double>& vx,
-               const std::vector<double>& vy, const PressureStep& step);
+    void find_right_hand_side(TeamMember& member, const ParticleSystem& particles,
+                              const NodeVectors& predicted, const PressureStep& step, NodeVectors& gradient);
     [[nodiscard]] double boundary_divergence(const Neighbours& n, int a) const;
-    double multiply(const Neighbours& n, const Wall& wall, int chunk, const std::vector<double>& x,
+    double multiply(const ParticleSystem& particles, int chunk, const std::vector<double>& x,
                     std::vector<double>& out) const;
-    double multiply_boundary_row(const Neighbours& n, const Wall& wall, int a, const std::vector<double>& x,
+    double multiply_boundary_row(const ParticleSystem& particles, int a, const std::vector<double>& x,
                                  std::vector<double>& out) const;
-    void turn(const Neighbours& n, int chunk, double beta, const double* coarse);
+    void renew_direction(const Neighbours& n, int chunk, double beta, const double* coarse);
     template <class Function>
     void renew_residual(const Neighbours& n, int chunk, const Function& renew);
     void precondition(Iteration& now);
-    void iterate(TeamMember& member, const Neighbours& n, const Wall& wall, Iteration& now);
-    double hand_over(const Neighbours& n, int chunk, double renewal, Soil& soil, Wall& wall);
+    void iterate(TeamMember& member, const ParticleSystem& particles, Iteration& now);
+    double carry_pressure(int chunk, double renewal, ParticleSystem& particles);
+    void find_gradient(const Neighbours& n, NodeVectors& gradient) const;
 
     Discretisation discretisation_;
     double gravity_;

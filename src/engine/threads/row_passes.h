@@ -171,7 +171,7 @@ class TeamMember {
 
     /// All meet; one does `alone` while the others wait.
     template <class Function>
-    void meet(const Function& alone) {
+    void synchronise(const Function& alone) {
         ++meetings_;
         if (share_ > 0) {
             signals_.arrive();

@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+#include "core/printable.h"
+
 namespace runout {
 namespace {
 
@@ -22,15 +24,18 @@ std::string xml_letter(char letter) {
         case '\'':
             return "&apos;";
         default:
-            return {static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter};
+            return {letter};
     }
 }
 
 }  // namespace
 
 std::string xml_text(const std::string& text) {
+    std::string line = text;
+    for (char& letter : line)
+        if (static_cast<unsigned char>(letter) < 0x20) letter = ' ';
     std::string escaped;
-    for (const char letter : text) escaped += xml_letter(letter);
+    for (const char letter : printable(line)) escaped += xml_letter(letter);
     return escaped;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry.h"
-#include "scene/effects.h"
+#include "engine/effects/effects.h"
 
 namespace runout {
 

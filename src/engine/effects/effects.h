@@ -2,17 +2,16 @@
 
 #include <limits>
 #include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "core/geometry.h"
+#include "engine/particles/mass.h"
 
 namespace runout {
 
 // What goes beyond gravity, Coulomb friction, incompressibility and a rough rigid bed. Each effect is absent
 // unless a case names it, and then it is nothing: no state, no work. Formulas, sources and ranges of
-// validity: docs/effects.md. SI and radians; positions are x of the local frame of the profile.
+// validity: docs/effects.md. SI and radians; positions are x of the frame of the problem.
 
 /// Part of the bed with a friction of its own.
 struct FrictionRange {
@@ -72,12 +71,10 @@ struct SideWalls {
     double angle = 0;  ///< of the wall friction, rad
 };
 
-/// A mass that is let go later than the source.
+/// A mass that is let go later than the first. Its bed is the ground left when it has gone too.
 struct LaterMass {
     double time = 0;  ///< s
-    Polygon outline{};
-    Polyline bed{};  ///< ground left when it has gone too
-    double area = 0;
+    Mass mass{};
 };
 
 /// Several releases, one after the other.
@@ -108,10 +105,23 @@ struct Effects {
     std::optional<ErodibleBed> erodible_bed{};
 };
 
-/// A place where the passing debris is measured.
-struct Gauge {
-    std::string name{};
-    double x = 0;  ///< m
+/// The same effects as names.
+enum class EffectId {
+    base_friction,
+    cohesion,
+    rate,
+    pore_pressure,
+    barrier,
+    shaking,
+    side_walls,
+    release,
+    erodible_bed,
+};
+
+/// Seconds that an effect's own work took.
+struct EffectCost {
+    EffectId effect;
+    double seconds = 0;
 };
 
 }  // namespace runout

@@ -1,4 +1,4 @@
-#include "engine/effects/ground_motion.h"
+#include "engine/effects/shaking.h"
 
 #include <algorithm>
 

@@ -2,32 +2,25 @@
 
 #include <vector>
 
-#include "engine/pairs/neighbours.h"
-#include "engine/particles/bed_line.h"
-#include "engine/particles/soil.h"
-#include "engine/particles/wall.h"
-#include "scene/effects.h"
+#include "engine/effects/barrier_force.h"
+#include "engine/effects/effects.h"
+#include "engine/pairs/particle_system.h"
 
 namespace runout {
 
-/// What the soil does to a barrier, per metre of width.
-struct BarrierForce {
-    Vec2 force{0, 0};    ///< N/m, x towards the run-out
-    double moment = 0;   ///< about the foot of its face, overturning towards the run-out positive, N
-    Vec2 impulse{0, 0};  ///< of the force since release, N s/m
-};
+/// Outline of the barrier from the foot of its face over its top to its back.
+Polyline barrier_outline(const Polyline& ground, const Barrier& barrier);
 
 /// Adds up the forces of the pairs between the soil and the barrier's part of the bed.
 class BarrierLoad {
   public:
     /// `outline`: of the barrier, its points in the chain of the bed; see barrier_outline.
-    BarrierLoad(const Polyline& outline, const BedLine& bed, const Wall& wall,
-                const Discretisation& discretisation);
+    BarrierLoad(const Polyline& outline, const Wall& wall, const Discretisation& discretisation);
 
     /// For a bed that has changed elsewhere.
-    void find_segments(const BedLine& bed, const Wall& wall);
+    void find_segments(const Wall& wall);
     /// Once a step, after the pressure is known.
-    void measure(const Neighbours& n, const Soil& soil, const Wall& wall, double dt);
+    void measure(const ParticleSystem& particles, double dt);
     /// The guard of the wall took this impulse of a particle (kg m/s) from the soil at a segment of the bed.
     void add_guard_impulse(int segment, const Vec2& impulse);
 
