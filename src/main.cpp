@@ -1,17 +1,11 @@
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spdlog/pattern_formatter.h>
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <memory>
 #include <new>
-#include <string_view>
 
 #include "core/input_error.h"
 #include "core/printable.h"
@@ -19,6 +13,7 @@
 #include "engine/simd/instruction_set.h"
 #include "gis/network.h"
 #include "program/command.h"
+#include "program/log.h"
 
 namespace {
 
@@ -53,116 +48,41 @@ std::string version_text() {
                        compiler_description(), to_string(instruction_set()));
 }
 
-/// The message of a log line, as printable() shows it.
-class PrintableMessage : public spdlog::custom_flag_formatter {
-  public:
-    void format(const spdlog::details::log_msg& message, const std::tm&,
-                spdlog::memory_buf_t& line) override {
-        const std::string text = printable({message.payload.data(), message.payload.size()});
-        line.append(text.data(), text.data() + text.size());
-    }
-    [[nodiscard]] std::unique_ptr<custom_flag_formatter> clone() const override {
-        return std::make_unique<PrintableMessage>();
-    }
-};
-
-/// Standard output belongs to the answer.
-void log_to_stderr() {
-    auto logger = spdlog::stderr_color_mt("runout");
-    auto lines = std::make_unique<spdlog::pattern_formatter>();
-    lines->add_flag<PrintableMessage>('*').set_pattern("runout: %^%l%$: %*");
-    logger->set_formatter(std::move(lines));
-    spdlog::set_default_logger(logger);
-}
-
 int fail(int code, const std::string& kind, const std::string& sentence) {
     fmt::print(stderr, "runout: {}: {}\n", kind, printable(sentence));
     return code;
 }
 
-bool names_no_subcommand(const CLI::App& app, const std::string& word) {
-    return !word.starts_with('-') &&
-           app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == word; }).empty();
-}
-
-std::string known_subcommands(const CLI::App& app) {
-    std::string names;
-    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
-        names += (names.empty() ? "" : ", ") + sub->get_name();
-    return names;
-}
-
-int parse_failure(const CLI::App& app, const CLI::ParseError& error, const std::string& first_word) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
-    if (!first_word.empty() && names_no_subcommand(app, first_word))
-        return fail(exit_code::input_error, "error",
-                    fmt::format("{} is not a subcommand; known are {}", first_word, known_subcommands(app)));
-    return fail(exit_code::input_error, "error", fmt::format("{}; see runout --help", error.what()));
-}
-
-/// "-o=page.html" would write a file of the name "=page.html".
-void refuse_short_assignments(int argc, char** argv) {
-    for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
-        const std::string word = argv[i];
-        if (word.size() < 3 || word[0] != '-' || word[1] == '-' || word[2] != '=') continue;
-        throw InputError({.file = {}, .line = 0, .key = {}, .value = word},
-                         "has = after an option of one letter",
-                         fmt::format("write {} {}", word.substr(0, 2), word.substr(3)));
-    }
-}
-
-/// As of a variable of the shell that is not set: it says nothing, and is no name of a file.
-void refuse_empty_values(CLI::App& app) {
-    const auto check = [](const std::string& value) {
-        return value.empty() ? std::string("is empty; give a value, or leave it out") : std::string();
-    };
-    for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
-        for (CLI::Option* option : sub->get_options())
-            if (option->get_items_expected_max() > 0) option->check(check);
-}
-
 int run_program(int argc, char** argv) {
-    CLI::App app(
+    CommandLine program(
+        "runout",
         "How far does a failing cut slope run? Takes a cross-section, derives the source mass, simulates "
         "its\n"
-        "run-out with incompressible SPH, prints the answer and stores it.\n",
-        "runout");
-    app.set_version_flag("--version", version_text());
-    app.require_subcommand(1);
-    app.fallthrough();  // options of the program may follow those of a subcommand
-    app.add_flag_callback(
-        "--allow-network", allow_network,
-        "Let maps and rasters lie on other machines, and virtual rasters refer to any file");
-    app.footer(examples);
-
-    Command command;
-    add_run_command(app, command);
-    add_new_command(app, command);
-    add_profile_command(app, command);
-    add_source_command(app, command);
-    add_effects_command(app, command);
-    add_sweep_command(app, command);
-    add_merge_command(app, command);
-    add_delete_command(app, command);
-    add_table_command(app, command);
-    add_estimate_command(app, command);
-    add_accuracy_command(app, command);
-    add_map_command(app, command);
-    add_report_command(app, command);
-    add_compare_command(app, command);
-    add_export_command(app, command);
-    add_back_analysis_command(app, command);
-    add_validate_command(app, command);
-    add_stress_command(app, command);
-    add_help_command(app, command);
-    refuse_empty_values(app);
-    refuse_short_assignments(argc, argv);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return parse_failure(app, error, argc > 1 ? argv[1] : "");
-    }
-    return command();
+        "run-out with incompressible SPH, prints the answer and stores it.\n");
+    program.set_version(version_text());
+    program.add_flag("--allow-network", allow_network,
+                     "Let maps and rasters lie on other machines, and virtual rasters refer to any file");
+    program.set_footer(examples);
+    add_run_command(program);
+    add_new_command(program);
+    add_profile_command(program);
+    add_source_command(program);
+    add_effects_command(program);
+    add_sweep_command(program);
+    add_merge_command(program);
+    add_delete_command(program);
+    add_table_command(program);
+    add_estimate_command(program);
+    add_accuracy_command(program);
+    add_map_command(program);
+    add_report_command(program);
+    add_compare_command(program);
+    add_export_command(program);
+    add_back_analysis_command(program);
+    add_validate_command(program);
+    add_stress_command(program);
+    add_help_command(program);
+    return program.run(argc, argv);
 }
 
 /// A stream that the shell closed would be the next file that is opened, and the answer would go into it.
@@ -191,8 +111,10 @@ int main(int argc, char** argv) {
     open_closed_streams();
     let_writes_fail();
     try {
-        log_to_stderr();
+        start_log();
         return after_flush(run_program(argc, argv));
+    } catch (const UsageError& error) {
+        return fail(exit_code::input_error, "error", error.what());
     } catch (const InputError& error) {
         return fail(exit_code::input_error, "error", error.what());
     } catch (const std::bad_alloc&) {

@@ -152,13 +152,18 @@ std::string question_hash(const Scene& scene) {
     return scenario_hash(plain);
 }
 
-StoredRun find_or_run(const Scene& scene, Store& store, const std::atomic<bool>* interrupt) {
-    if (const auto known = store.find_run(scenario_hash(scene))) return store.run(*known);
+StoredRun run_and_store(const Scene& scene, Store& store, const std::atomic<bool>* interrupt) {
     RunControl control;
     control.interrupt = interrupt;
     const RunResult result = run_scene(scene, control);
-    if (result.status == RunStatus::interrupted) return describe_run(scene, result);
-    return store.run(store.add(scene, result));
+    StoredRun run = describe_run(scene, result);
+    if (result.status != RunStatus::interrupted) run.run_id = store.add({scene, result, run, {}});
+    return run;
+}
+
+StoredRun find_or_run(const Scene& scene, Store& store, const std::atomic<bool>* interrupt) {
+    if (const auto known = store.find_run(scenario_hash(scene))) return store.run(*known);
+    return run_and_store(scene, store, interrupt);
 }
 
 RungSummary summarise(const Rung& rung, double root_area) {

@@ -80,6 +80,9 @@ Scene with_resolution(const Scene& scene, double resolution, int lattice_seed);
 /// Identity of the question: all that determines the result but spacing and lattice.
 std::string question_hash(const Scene& scene);
 
+/// Simulates the scene and stores the run, unless it was interrupted. `interrupt` may be null.
+StoredRun run_and_store(const Scene& scene, Store& store, const std::atomic<bool>* interrupt);
+
 /// The run of `scene` that `store` holds, or else a new one, stored. `interrupt` may be null.
 StoredRun find_or_run(const Scene& scene, Store& store, const std::atomic<bool>* interrupt);
 

@@ -7,8 +7,6 @@
 #include <limits>
 #include <thread>
 
-#include "run/run_scene.h"
-
 namespace runout {
 namespace {
 
@@ -65,15 +63,6 @@ double usual_simulated_time(const Ladder& ladder, const Store& store, double res
     return time;
 }
 
-/// Threads do not change the result, so the store would give back the run of another number of them.
-StoredRun run_anew(const Scene& scene, Store& store, const std::atomic<bool>* interrupt) {
-    RunControl control;
-    control.interrupt = interrupt;
-    const RunResult result = run_scene(scene, control);
-    if (result.status == RunStatus::interrupted) return describe_run(scene, result);
-    return store.run(store.add(scene, result));
-}
-
 }  // namespace
 
 std::vector<MethodSetting> method_settings(double resolution) {
@@ -112,7 +101,9 @@ std::vector<MethodPoint> compare_methods(const Scene& scene, Ladder& ladder, Sto
             other.run.time_limit = patience * usual_simulated_time(ladder, store, setting.resolution);
             setting.apply(other.run);
             const bool threads = setting.series == "run.threads";
-            const StoredRun run = threads ? run_anew(other, store, options.interrupt)
+            // Threads do not change the result, so the store would give back the run of another number of
+            // them.
+            const StoredRun run = threads ? run_and_store(other, store, options.interrupt)
                                           : find_or_run(other, store, options.interrupt);
             if (run.status == RunStatus::interrupted) return points;
             runs.push_back(run);

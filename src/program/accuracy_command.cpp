@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -16,9 +15,10 @@
 #include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
+#include "program/common_options.h"
 #include "program/interrupt.h"
+#include "program/log.h"
 #include "program/number_option.h"
-#include "program/output_option.h"
 #include "program/patient_store.h"
 #include "report/chart/svg_chart.h"
 #include "report/page/accuracy_page.h"
@@ -49,10 +49,6 @@ struct AccuracyArguments {
     bool json = false;
     bool quiet = false;
 };
-
-InputPlace option(const char* name, const std::string& value) {
-    return {.file = name, .line = 0, .key = {}, .value = value};
-}
 
 /// The files that this call reads, and the database.
 std::vector<std::string> taken_by(const AccuracyArguments& arguments) {
@@ -98,7 +94,7 @@ void say(const AccuracyArguments& arguments, const std::string& text) {
 Ladder climb_and_tell(const Scene& scene, Store& store, const AccuracyArguments& arguments,
                       const std::atomic<bool>& interrupt) {
     LadderOptions options;
-    options.target = accuracy_target(arguments.target, option("--target", arguments.target));
+    options.target = accuracy_target(arguments.target, option_place("--target", arguments.target));
     options.lattices = arguments.lattices;
     options.budget_s = arguments.budget_s;
     options.at_least_to = arguments.at_least_to;
@@ -117,27 +113,27 @@ void compare_and_tell(const Scene& scene, Ladder& ladder, Store& store, const Ac
     MethodOptions options;
     options.interrupt = &interrupt;
     options.on_point = [&](const MethodPoint& point) { say(arguments, method_table_line(point)); };
-    say(arguments, "\n" + method_table_head());
+    say(arguments, fmt::format("\n{}", method_table_head()));
     compare_methods(scene, ladder, store, options);
 }
 
 int study(const AccuracyArguments& arguments) {
     const Scene scene = scene_of(arguments);
-    accuracy_target(arguments.target, option("--target", arguments.target));
+    accuracy_target(arguments.target, option_place("--target", arguments.target));
     const WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
     InterruptWatch interrupt;
     wait_for_others(store, arguments.database, interrupt.requested());
     Ladder ladder = climb_and_tell(scene, store, arguments, interrupt.requested());
     const std::vector<Price> prices = price_list(ladder);
-    say(arguments, "\n" + ladder_summary(ladder, prices));
+    say(arguments, fmt::format("\n{}", ladder_summary(ladder, prices)));
     if (arguments.methods && !interrupt.requested())
         compare_and_tell(scene, ladder, store, arguments, interrupt.requested());
     if (arguments.check && !interrupt.requested())
         check_choices(scene, ladder, store, arguments.budget_s, &interrupt.requested());
     const StoredLadder stored = describe_ladder(scene, ladder);
     const long ladder_id = store.add(stored);
-    spdlog::info("stored as study {} in {}", ladder_id, arguments.database);
+    log_info("stored as study {} in {}", ladder_id, arguments.database);
     const std::vector<MethodPoint> points = read_study(stored, store).points;
     if (arguments.json) print_json(ladder_json(scene.name, ladder, prices, points));
     if (!arguments.chart.empty())
@@ -153,7 +149,7 @@ void write_page(const AccuracyArguments& arguments, const Store& store) {
     const fs::path pictures = page.parent_path() / page.stem();
     const std::vector<AccuracyStudy> studies = read_studies(store);
     if (studies.empty())
-        throw InputError(option("--db", arguments.database), "holds no study of accuracy",
+        throw InputError(option_place("--db", arguments.database), "holds no study of accuracy",
                          "make one with: runout accuracy CASE --db " + arguments.database);
     std::vector<std::string> names;
     for (const AccuracyStudy& item : studies) names.push_back(item.name);
@@ -172,12 +168,12 @@ void write_page(const AccuracyArguments& arguments, const Store& store) {
 }
 
 int accuracy(AccuracyArguments arguments) {
-    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
+    if (arguments.quiet) log_errors_only();
     arguments.rules.taken = taken_by(arguments);
     check_places(arguments);
     const bool from_store = !arguments.page.empty() || !arguments.survey.empty();
     if (arguments.scenario.file.empty() && !from_store)
-        throw InputError(option("accuracy", ""), "has no FILE",
+        throw InputError(option_place("accuracy", ""), "has no FILE",
                          "give a case (.toml) or a section (.csv), or --page to write up stored studies");
     int code = exit_code::success;
     if (!arguments.scenario.file.empty()) code = study(arguments);
@@ -191,55 +187,54 @@ int accuracy(AccuracyArguments arguments) {
 
 }  // namespace
 
-void add_accuracy_command(CLI::App& app, Command& command) {
+void add_accuracy_command(CommandLine& program) {
     const auto arguments = std::make_shared<AccuracyArguments>();
-    CLI::App* sub = app.add_subcommand("accuracy", "Show what accuracy costs in time on a case");
-    add_case_arguments(*sub, arguments->scenario);
-    sub->get_option("FILE")->required(false);
-    sub->add_option("--target", arguments->target, "Error of the run-out to reach: a share or a length")
-        ->type_name("5%|0.25m")
-        ->capture_default_str()
-        ->group("Ladder");
-    add_number_option(*sub, "--budget", arguments->budget_s,
+    Command command = program.add_command("accuracy", "Show what accuracy costs in time on a case");
+    add_case_arguments(command, arguments->scenario);
+    command.add_option("--target", &arguments->target, "Error of the run-out to reach: a share or a length")
+        .value_name("5%|0.25m")
+        .show_default()
+        .group("Ladder");
+    add_number_option(command, "--budget", arguments->budget_s,
                       "Time for the ladder; no rung is begun that would exceed it", positive_number)
-        ->type_name("s")
-        ->group("Ladder");
-    add_number_option(*sub, "--finest", arguments->at_least_to,
+        .value_name("s")
+        .group("Ladder");
+    add_number_option(command, "--finest", arguments->at_least_to,
                       "sqrt(S)/dl to go on to even if the target is met before, for a better reference",
                       {0, 1000})
-        ->group("Ladder");
-    add_number_option(*sub, "--lattices", arguments->lattices,
+        .group("Ladder");
+    add_number_option(command, "--lattices", arguments->lattices,
                       "Runs on each rung: on the regular lattice and off it at random", {1, 100})
-        ->group("Ladder");
-    sub->add_flag(
-           "--methods", arguments->methods,
-           "Also turn each knob: Courant number, friction iterations, pressure tolerance, smoothing length, "
-           "friction scheme, threads")
-        ->group("Ladder");
-    sub->add_flag("--check", arguments->check,
+        .group("Ladder");
+    command
+        .add_flag(
+            "--methods", &arguments->methods,
+            "Also turn each knob: Courant number, friction iterations, pressure tolerance, smoothing length, "
+            "friction scheme, threads")
+        .group("Ladder");
+    command
+        .add_flag("--check", &arguments->check,
                   "Also let settings be chosen for 10, 5 and 2 %, run them, and hold their error bars "
                   "against the ladder")
-        ->group("Ladder");
-    sub->add_option("--db", arguments->database,
-                    "Database that takes the runs; what it holds is not repeated")
-        ->type_name("PATH")
-        ->capture_default_str()
-        ->group("Output");
-    sub->add_option("--chart", arguments->chart, "Write error against CPU time as an SVG picture")
-        ->type_name("PATH")
-        ->group("Output");
-    sub->add_option("--page", arguments->page,
+        .group("Ladder");
+    add_database_option(command, arguments->database).group("Output");
+    command.add_option("--chart", &arguments->chart, "Write error against CPU time as an SVG picture")
+        .value_name("PATH")
+        .group("Output");
+    command
+        .add_option("--page", &arguments->page,
                     "Write all studies of the database as a Markdown page, with pictures beside it")
-        ->type_name("PATH")
-        ->group("Output");
-    sub->add_option("--survey", arguments->survey,
+        .value_name("PATH")
+        .group("Output");
+    command
+        .add_option("--survey", &arguments->survey,
                     "Write the ladders of the database as CSV, the form of src/accuracy/ladders.csv")
-        ->type_name("PATH")
-        ->group("Output");
-    add_overwrite_option(*sub, arguments->rules);
-    sub->add_flag("--json", arguments->json, "Print the study as one JSON object")->group("Output");
-    sub->add_flag("--quiet", arguments->quiet, "No log but errors")->group("Output");
-    sub->callback([arguments, &command] { command = [arguments] { return accuracy(*arguments); }; });
+        .value_name("PATH")
+        .group("Output");
+    add_overwrite_option(command, arguments->rules);
+    command.add_flag("--json", &arguments->json, "Print the study as one JSON object").group("Output");
+    command.add_flag("--quiet", &arguments->quiet, "No log but errors").group("Output");
+    command.set_work([arguments] { return accuracy(*arguments); });
 }
 
 }  // namespace runout

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <memory>
 
 #include "program/answer.h"
 #include "program/command.h"
+#include "program/common_options.h"
 #include "program/interrupt.h"
-#include "program/jobs_option.h"
+#include "program/log.h"
 #include "program/patient_store.h"
 #include "report/text/back_analysis_text.h"
 #include "store/store.h"
@@ -25,7 +25,7 @@ struct BackAnalysisArguments {
 };
 
 int back_analyse(const BackAnalysisArguments& arguments) {
-    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
+    if (arguments.quiet) log_errors_only();
     const BackAnalysis analysis = read_back_analysis(arguments.folder);
     const WriteAheadLog log_of_writes(arguments.database);
     Store store(arguments.database, Store::Mode::write);
@@ -35,11 +35,11 @@ int back_analyse(const BackAnalysisArguments& arguments) {
     options.jobs = arguments.jobs;
     options.interrupt = &interrupt.requested();
     options.on_run = [](int done, int total, const std::string& name) {
-        spdlog::info("{} of {} runs: {}", done, total, name);
+        log_info("{} of {} runs: {}", done, total, name);
     };
     const std::vector<long> ids = run_back_analysis(analysis, store, options);
     if (ids.empty()) {
-        spdlog::warn("interrupted; finished runs are in {} and will not be repeated", arguments.database);
+        log_warning("interrupted; finished runs are in {} and will not be repeated", arguments.database);
         return exit_code::interrupted;
     }
     std::vector<StoredRun> runs;
@@ -52,20 +52,17 @@ int back_analyse(const BackAnalysisArguments& arguments) {
 
 }  // namespace
 
-void add_back_analysis_command(CLI::App& app, Command& command) {
+void add_back_analysis_command(CommandLine& program) {
     const auto arguments = std::make_shared<BackAnalysisArguments>();
-    CLI::App* sub = app.add_subcommand("back-analysis",
-                                       "Run a documented failure over the ranges of what is not known of it");
-    sub->add_option("FOLDER", arguments->folder, "Folder with case.toml, ranges.csv and observed.csv")
-        ->required()
-        ->type_name("");
-    sub->add_option("--db", arguments->database,
-                    "Database that takes the runs; what it holds is not repeated")
-        ->type_name("PATH")
-        ->capture_default_str();
-    add_jobs_option(*sub, arguments->jobs);
-    sub->add_flag("--quiet", arguments->quiet, "No log but errors");
-    sub->callback([arguments, &command] { command = [arguments] { return back_analyse(*arguments); }; });
+    Command command = program.add_command(
+        "back-analysis", "Run a documented failure over the ranges of what is not known of it");
+    command.add_option("FOLDER", &arguments->folder, "Folder with case.toml, ranges.csv and observed.csv")
+        .required()
+        .value_name("");
+    add_database_option(command, arguments->database);
+    add_jobs_option(command, arguments->jobs);
+    command.add_flag("--quiet", &arguments->quiet, "No log but errors");
+    command.set_work([arguments] { return back_analyse(*arguments); });
 }
 
 }  // namespace runout

@@ -1,11 +1,12 @@
 #include "program/case_arguments.h"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <array>
 #include <map>
 
+#include "program/common_options.h"
+#include "program/log.h"
 #include "scene/case_file.h"
 #include "scene/parameters.h"
 
@@ -67,21 +68,21 @@ std::string type_of(const Parameter& parameter) {
     return parameter.kind == ValueKind::text || parameter.kind == ValueKind::choice ? "word" : "number";
 }
 
-void add_short_option(CLI::App& subcommand, CaseArguments& arguments, const ShortOption& entry) {
+void add_short_option(Command& command, CaseArguments& arguments, const ShortOption& entry) {
     const InputPlace place{.file = entry.option, .line = 0, .key = entry.key, .value = {}};
     const Parameter& parameter = known_parameter(place);
     const auto remember = [&arguments, entry](const std::string& text) {
         arguments.overrides.push_back({entry.option, entry.key, text});
     };
-    subcommand.add_option_function<std::string>(entry.option, remember, std::string(parameter.help))
-        ->type_name(type_of(parameter))
-        ->group(group_of(entry.key));
+    command.add_option(entry.option, remember, std::string(parameter.help))
+        .value_name(type_of(parameter))
+        .group(group_of(entry.key));
 }
 
 Override split_setting(const std::string& setting) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0)
-        throw InputError({.file = "--set", .line = 0, .key = {}, .value = setting}, "is not key=value",
+        throw InputError(option_place("--set", setting), "is not key=value",
                          "write --set material.friction_angle_deg=35");
     return {"--set", setting.substr(0, equals), setting.substr(equals + 1)};
 }
@@ -100,26 +101,24 @@ void check_given_once(const std::vector<Override>& overrides) {
 
 }  // namespace
 
-void add_case_arguments(CLI::App& subcommand, CaseArguments& arguments) {
-    subcommand
-        .add_option("FILE", arguments.file,
-                    "A case (.toml), a bare cross-section (.csv, .txt, .dxf, LandXML ...), or lines on a map "
-                    "(.gpkg, .shp, .geojson, .kmz ...)")
-        ->required()
-        ->type_name("");
-    for (const ShortOption& entry : short_options) add_short_option(subcommand, arguments, entry);
-    add_set_option(subcommand, arguments);
+CommandOption add_case_arguments(Command& command, CaseArguments& arguments) {
+    CommandOption file = command.add_option(
+        "FILE", &arguments.file,
+        "A case (.toml), a bare cross-section (.csv, .txt, .dxf, LandXML ...), or lines on a map "
+        "(.gpkg, .shp, .geojson, .kmz ...)");
+    file.value_name("");
+    for (const ShortOption& entry : short_options) add_short_option(command, arguments, entry);
+    add_set_option(command, arguments);
+    return file;
 }
 
-void add_set_option(CLI::App& subcommand, CaseArguments& arguments) {
+void add_set_option(Command& command, CaseArguments& arguments) {
     const auto remember = [&arguments](const std::vector<std::string>& settings) {
         for (const std::string& setting : settings) arguments.overrides.push_back(split_setting(setting));
     };
-    subcommand
-        .add_option_function<std::vector<std::string>>(
-            "--set", remember, "Any key of a case file (runout help keys); may be repeated")
-        ->type_name("key=value")
-        ->allow_extra_args(false);
+    command.add_option("--set", remember, "Any key of a case file (runout help keys); may be repeated")
+        .value_name("key=value")
+        .one_value_a_use();
 }
 
 CaseSpec case_from(const CaseArguments& arguments) {
@@ -131,11 +130,11 @@ CaseSpec case_from(const CaseArguments& arguments) {
 }
 
 void log_reading(const Profile& profile) {
-    if (!profile.read_as.empty()) spdlog::info("{} {}", profile.origin, profile.read_as);
+    if (!profile.read_as.empty()) log_info("{} {}", profile.origin, profile.read_as);
 }
 
 void log_assumptions(const std::vector<std::string>& assumed) {
-    for (const std::string& sentence : assumed) spdlog::info("not given, assumed: {}", sentence);
+    for (const std::string& sentence : assumed) log_info("not given, assumed: {}", sentence);
 }
 
 }  // namespace runout

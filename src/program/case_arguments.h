@@ -1,9 +1,9 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "program/command_line.h"
 #include "scene/case_spec.h"
 
 namespace runout {
@@ -21,11 +21,12 @@ struct CaseArguments {
     std::vector<Override> overrides;
 };
 
-/// Declares FILE, `--set` and an option for each of the keys that are used most.
-void add_case_arguments(CLI::App& subcommand, CaseArguments& arguments);
+/// Declares FILE, `--set` and an option for each of the keys that are used most. The FILE can be described
+/// further: it is not required yet.
+CommandOption add_case_arguments(Command& command, CaseArguments& arguments);
 
 /// Declares `--set` alone.
-void add_set_option(CLI::App& subcommand, CaseArguments& arguments);
+void add_set_option(Command& command, CaseArguments& arguments);
 
 /// The case with the command line's keys in place. Throws InputError.
 CaseSpec case_from(const CaseArguments& arguments);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
+#include "program/command_line.h"
 
 namespace runout {
 
@@ -16,29 +15,25 @@ constexpr int stored_elsewhere =
 constexpr int interrupted = 130;  ///< Ctrl-C; the run is stored as such
 }  // namespace exit_code
 
-/// The work of the subcommand that was named: set while the command line is parsed, called once after it.
-/// Returns the exit code, throws InputError.
-using Command = std::function<int()>;
-
-// Each declares one subcommand with its options, and sets `command` when it is the one that was named.
-void add_run_command(CLI::App& app, Command& command);
-void add_new_command(CLI::App& app, Command& command);
-void add_profile_command(CLI::App& app, Command& command);
-void add_map_command(CLI::App& app, Command& command);
-void add_source_command(CLI::App& app, Command& command);
-void add_effects_command(CLI::App& app, Command& command);
-void add_accuracy_command(CLI::App& app, Command& command);
-void add_sweep_command(CLI::App& app, Command& command);
-void add_merge_command(CLI::App& app, Command& command);
-void add_delete_command(CLI::App& app, Command& command);
-void add_table_command(CLI::App& app, Command& command);
-void add_estimate_command(CLI::App& app, Command& command);
-void add_report_command(CLI::App& app, Command& command);
-void add_compare_command(CLI::App& app, Command& command);
-void add_export_command(CLI::App& app, Command& command);
-void add_back_analysis_command(CLI::App& app, Command& command);
-void add_validate_command(CLI::App& app, Command& command);
-void add_stress_command(CLI::App& app, Command& command);
-void add_help_command(CLI::App& app, Command& command);
+// Each adds one command with its options.
+void add_run_command(CommandLine& program);
+void add_new_command(CommandLine& program);
+void add_profile_command(CommandLine& program);
+void add_map_command(CommandLine& program);
+void add_source_command(CommandLine& program);
+void add_effects_command(CommandLine& program);
+void add_accuracy_command(CommandLine& program);
+void add_sweep_command(CommandLine& program);
+void add_merge_command(CommandLine& program);
+void add_delete_command(CommandLine& program);
+void add_table_command(CommandLine& program);
+void add_estimate_command(CommandLine& program);
+void add_report_command(CommandLine& program);
+void add_compare_command(CommandLine& program);
+void add_export_command(CommandLine& program);
+void add_back_analysis_command(CommandLine& program);
+void add_validate_command(CommandLine& program);
+void add_stress_command(CommandLine& program);
+void add_help_command(CommandLine& program);
 
 }  // namespace runout

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <limits>
 #include <memory>
@@ -7,7 +6,8 @@
 #include "core/input_error.h"
 #include "program/answer.h"
 #include "program/command.h"
-#include "program/output_option.h"
+#include "program/common_options.h"
+#include "program/log.h"
 #include "program/run_choice.h"
 #include "report/compare/comparison.h"
 #include "store/store.h"
@@ -39,21 +39,22 @@ int compare(CompareArguments arguments) {
     print_text(comparison_text(run, comparison));
     if (arguments.output.empty()) return exit_code::success;
     write_output_file(arguments.output, "-o", comparison_page(run, comparison), arguments.rules);
-    spdlog::info("wrote {}", arguments.output);
+    log_info("wrote {}", arguments.output);
     return exit_code::success;
 }
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, Command& command) {
+void add_compare_command(CommandLine& program) {
     const auto arguments = std::make_shared<CompareArguments>();
-    CLI::App* sub = app.add_subcommand(
+    Command command = program.add_command(
         "compare", "Put a stored run beside empirical relations and documented landslides");
-    add_run_choice(*sub, arguments->choice);
-    add_width_option(*sub, arguments->width);
-    sub->add_option("-o,--output", arguments->output, "Also write a page with the chart")->type_name("PATH");
-    add_overwrite_option(*sub, arguments->rules);
-    sub->callback([arguments, &command] { command = [arguments] { return compare(*arguments); }; });
+    add_run_choice(command, arguments->choice);
+    add_width_option(command, arguments->width);
+    command.add_option("-o,--output", &arguments->output, "Also write a page with the chart")
+        .value_name("PATH");
+    add_overwrite_option(command, arguments->rules);
+    command.set_work([arguments] { return compare(*arguments); });
 }
 
 }  // namespace runout

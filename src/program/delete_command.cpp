@@ -8,12 +8,13 @@
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <regex>
+#include <string_view>
 
 #include "core/input_error.h"
 #include "core/printable.h"
 #include "program/answer.h"
 #include "program/command.h"
+#include "program/common_options.h"
 #include "program/number_option.h"
 #include "program/study_choice.h"
 #include "store/remove_runs.h"
@@ -32,23 +33,34 @@ struct DeleteArguments {
     bool yes = false;
 };
 
-/// The instant that "90d" (w, d, h) lies back, or "2024-05-31" names, as ISO 8601.
-std::string instant_of(const std::string& text) {
-    const InputPlace place{.file = "--older-than", .line = 0, .key = {}, .value = text};
-    static const std::regex age("([0-9]{1,6})([wdh])"),
-        date("[0-9]{4}-[0-9]{2}-[0-9]{2}(T[0-9]{2}:[0-9]{2}:[0-9]{2}Z)?");
-    std::smatch parts;
-    if (std::regex_match(text, date)) return text;
-    if (!std::regex_match(text, parts, age))
-        throw InputError(place, "is no age and no date",
-                         "give weeks, days or hours such as 90d, or 2024-05-31");
+/// Whether the text has this form, in which a 0 stands for any digit.
+bool has_form(std::string_view text, std::string_view form) {
+    return std::ranges::equal(text, form, [](char letter, char expected) {
+        return expected == '0' ? letter >= '0' && letter <= '9' : letter == expected;
+    });
+}
+
+/// "90d": up to six digits and a unit (w, d, h).
+std::optional<std::chrono::hours> age_of(std::string_view text) {
+    constexpr std::size_t most_digits = 6;
+    if (text.size() < 2 || text.size() > most_digits + 1) return std::nullopt;
+    const char unit = text.back();
+    const std::string_view digits = text.substr(0, text.size() - 1);
+    if (!has_form(digits, std::string(digits.size(), '0'))) return std::nullopt;
+    if (unit != 'w' && unit != 'd' && unit != 'h') return std::nullopt;
     int count = 0;
-    const std::string digits = parts[1];
     std::from_chars(digits.data(), digits.data() + digits.size(), count);
-    const char unit = parts[2].str()[0];
-    const int hours_of_unit = unit == 'w' ? 168 : unit == 'd' ? 24 : 1;
-    const auto instant = std::chrono::system_clock::now() - std::chrono::hours(count) * hours_of_unit;
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(instant));
+    return std::chrono::hours(count) * (unit == 'w' ? 168 : unit == 'd' ? 24 : 1);
+}
+
+/// The instant that an age lies back, or that "2024-05-31" names, as ISO 8601.
+std::string instant_of(const std::string& text) {
+    if (has_form(text, "0000-00-00") || has_form(text, "0000-00-00T00:00:00Z")) return text;
+    const std::optional<std::chrono::hours> age = age_of(text);
+    if (!age)
+        throw InputError(option_place("--older-than", text), "is no age and no date",
+                         "give weeks, days or hours such as 90d, or 2024-05-31");
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now() - *age));
 }
 
 RunSelection selection_of(const DeleteArguments& arguments) {
@@ -117,23 +129,23 @@ int delete_runs(const DeleteArguments& arguments) {
 
 }  // namespace
 
-void add_delete_command(CLI::App& app, Command& command) {
+void add_delete_command(CommandLine& program) {
     const auto arguments = std::make_shared<DeleteArguments>();
-    CLI::App* sub =
-        app.add_subcommand("delete", "Remove stored runs whole, after asking, and give their space back");
-    sub->add_option("DB", arguments->database, "Database of runs, such as runout.db")
-        ->required()
-        ->type_name("");
-    add_id_option(*sub, "--run", arguments->run_ids, "These runs; may be repeated");
-    sub->add_option("--study", arguments->study,
+    Command command =
+        program.add_command("delete", "Remove stored runs whole, after asking, and give their space back");
+    add_database_argument(command, arguments->database);
+    add_id_option(command, "--run", arguments->run_ids, "These runs; may be repeated");
+    command
+        .add_option("--study", &arguments->study,
                     "A study with its runs, but those that another study has too")
-        ->type_name("NAME|ID");
-    sub->add_option(
-           "--older-than", arguments->older_than,
-           "Runs that ended longer ago: weeks, days or hours (8w, 90d, 12h), or before a date (2024-05-31)")
-        ->type_name("AGE|DATE");
-    sub->add_flag("--yes", arguments->yes, "Do not ask");
-    sub->callback([arguments, &command] { command = [arguments] { return delete_runs(*arguments); }; });
+        .value_name("NAME|ID");
+    command
+        .add_option(
+            "--older-than", &arguments->older_than,
+            "Runs that ended longer ago: weeks, days or hours (8w, 90d, 12h), or before a date (2024-05-31)")
+        .value_name("AGE|DATE");
+    command.add_flag("--yes", &arguments->yes, "Do not ask");
+    command.set_work([arguments] { return delete_runs(*arguments); });
 }
 
 }  // namespace runout

@@ -74,13 +74,13 @@ int show_effects(const EffectsArguments& arguments) {
 
 }  // namespace
 
-void add_effects_command(CLI::App& app, Command& command) {
+void add_effects_command(CommandLine& program) {
     const auto arguments = std::make_shared<EffectsArguments>();
-    CLI::App* sub =
-        app.add_subcommand("effects", "Show which effects a case asks for, why, and what each costs");
-    add_case_arguments(*sub, arguments->scenario);
-    sub->add_flag("--json", arguments->json, "Print them as one JSON object")->group("Output");
-    sub->callback([arguments, &command] { command = [arguments] { return show_effects(*arguments); }; });
+    Command command =
+        program.add_command("effects", "Show which effects a case asks for, why, and what each costs");
+    add_case_arguments(command, arguments->scenario).required();
+    command.add_flag("--json", &arguments->json, "Print them as one JSON object").group("Output");
+    command.set_work([arguments] { return show_effects(*arguments); });
 }
 
 }  // namespace runout

@@ -82,39 +82,42 @@ int tell_estimate(const EstimateArguments& arguments) {
     return exit_code::success;
 }
 
-void add_number(CLI::App& sub, const char* option, double& value, const char* help, const char* unit,
-                const NumberRange& range) {
-    add_number_option(sub, option, value, help, range)->type_name(unit)->group("Question in numbers");
+CommandOption add_number(Command& command, const char* names, double& value, const char* help,
+                         const NumberRange& range) {
+    return add_number_option(command, names, value, help, range).group("Question in numbers");
 }
 
 }  // namespace
 
-void add_estimate_command(CLI::App& app, Command& command) {
+void add_estimate_command(CommandLine& program) {
     const auto arguments = std::make_shared<EstimateArguments>();
-    CLI::App* sub = app.add_subcommand(
+    Command command = program.add_command(
         "estimate", "Estimate a run-out from stored runs, without a simulation; refused outside of them");
-    sub->add_option("DB", arguments->database, "Database of runs, such as sweep.db")
-        ->required()
-        ->type_name("");
-    sub->add_option("FILE", arguments->scenario.file, "A case (.toml) that is to be estimated")
-        ->type_name("");
-    add_set_option(*sub, arguments->scenario);
-    sub->add_option("--study", arguments->study, "Only the runs of this study; by default all runs")
-        ->type_name("NAME|ID");
+    command.add_option("DB", &arguments->database, "Database of runs, such as sweep.db")
+        .required()
+        .value_name("");
+    command.add_option("FILE", &arguments->scenario.file, "A case (.toml) that is to be estimated")
+        .value_name("");
+    add_set_option(command, arguments->scenario);
+    command.add_option("--study", &arguments->study, "Only the runs of this study; by default all runs")
+        .value_name("NAME|ID");
     ChartPlace& place = arguments->numbers.place;
-    add_number(*sub, "--slope-angle", place[0], "Inclination of the cut", "deg", {0, 90});
-    add_number(*sub, "--drop-height", place[1],
-               "H_d/sqrt(S): head of the source above the toe over the root of its area", "ratio",
-               not_negative);
-    add_number(*sub, "--front-area", place[2], "S_front/S: part of the source above the discontinuity plane",
-               "ratio", {0, 1});
-    add_number(*sub, "--friction-angle,--phi", place[3], "Internal friction of the soil", "deg", {0, 89});
-    add_number(*sub, "--area", arguments->area, "Area S of the source: the answer is in metres too", "m2",
-               positive_number);
-    sub->add_flag("--check", arguments->check,
-                  "Instead of an estimate: hold out runs in turn, and say how well they are estimated");
-    sub->add_flag("--json", arguments->json, "Print one JSON object");
-    sub->callback([arguments, &command] { command = [arguments] { return tell_estimate(*arguments); }; });
+    add_number(command, "--slope-angle", place[0], "Inclination of the cut", {0, 90}).value_name("deg");
+    add_number(command, "--drop-height", place[1],
+               "H_d/sqrt(S): head of the source above the toe over the root of its area", not_negative)
+        .value_name("ratio");
+    add_number(command, "--front-area", place[2],
+               "S_front/S: part of the source above the discontinuity plane", {0, 1})
+        .value_name("ratio");
+    add_number(command, "--friction-angle,--phi", place[3], "Internal friction of the soil", {0, 89})
+        .value_name("deg");
+    add_number(command, "--area", arguments->area, "Area S of the source: the answer is in metres too",
+               positive_number)
+        .value_name("m2");
+    command.add_flag("--check", &arguments->check,
+                     "Instead of an estimate: hold out runs in turn, and say how well they are estimated");
+    command.add_flag("--json", &arguments->json, "Print one JSON object");
+    command.set_work([arguments] { return tell_estimate(*arguments); });
 }
 
 }  // namespace runout

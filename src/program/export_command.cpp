@@ -1,5 +1,3 @@
-#include <spdlog/spdlog.h>
-
 #include <filesystem>
 #include <memory>
 
@@ -7,7 +5,8 @@
 #include "core/output_folder.h"
 #include "core/printable.h"
 #include "program/command.h"
-#include "program/output_option.h"
+#include "program/common_options.h"
+#include "program/log.h"
 #include "program/run_choice.h"
 #include "report/export/export_files.h"
 #include "store/store.h"
@@ -45,7 +44,7 @@ void write_files(const ExportFiles& files, const std::string& folder, const std:
     if (files.empty()) return;
     make_output_folder(folder, option);
     for (const auto& [name, text] : files) write_output_file(path_in(folder, name), option, text, rules);
-    spdlog::info("wrote {} files to {}", files.size(), folder);
+    log_info("wrote {} files to {}", files.size(), folder);
 }
 
 int export_run(ExportArguments arguments) {
@@ -67,24 +66,26 @@ int export_run(ExportArguments arguments) {
     check_files(tables, arguments.csv, "--csv", arguments.rules);
     write_files(particles, arguments.vtk, "--vtk", arguments.rules);
     if (from_pictures)
-        spdlog::info("from the pictures of the animation: positions to {:.2g} m, {} of {} particles",
-                     run.frames.front().scale.x_step_m, run.frames.back().x.size(), run.run.work.particles);
+        log_info("from the pictures of the animation: positions to {:.2g} m, {} of {} particles",
+                 run.frames.front().scale.x_step_m, run.frames.back().x.size(), run.run.work.particles);
     write_files(tables, arguments.csv, "--csv", arguments.rules);
     return exit_code::success;
 }
 
 }  // namespace
 
-void add_export_command(CLI::App& app, Command& command) {
+void add_export_command(CommandLine& program) {
     const auto arguments = std::make_shared<ExportArguments>();
-    CLI::App* sub = app.add_subcommand("export", "Write a stored run for ParaView and for spreadsheets");
-    add_run_choice(*sub, arguments->choice);
-    sub->add_option("--vtk", arguments->vtk,
+    Command command = program.add_command("export", "Write a stored run for ParaView and for spreadsheets");
+    add_run_choice(command, arguments->choice);
+    command
+        .add_option("--vtk", &arguments->vtk,
                     "Folder for the particles over time (VTK PolyData, particles.pvd)")
-        ->type_name("FOLDER");
-    sub->add_option("--csv", arguments->csv, "Folder for series.csv and deposit.csv")->type_name("FOLDER");
-    add_overwrite_option(*sub, arguments->rules);
-    sub->callback([arguments, &command] { command = [arguments] { return export_run(*arguments); }; });
+        .value_name("FOLDER");
+    command.add_option("--csv", &arguments->csv, "Folder for series.csv and deposit.csv")
+        .value_name("FOLDER");
+    add_overwrite_option(command, arguments->rules);
+    command.set_work([arguments] { return export_run(*arguments); });
 }
 
 }  // namespace runout

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/input_error.h"
@@ -34,36 +35,24 @@ std::string key_table() {
     return text;
 }
 
-std::string topics(const CLI::App& app) {
-    std::string names = "keys";
-    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
-        names += ", " + sub->get_name();
-    return names;
-}
-
-std::string help_on(const CLI::App& app, const std::string& topic) {
-    // Not app.help(): that would explain the subcommand at hand, which is `help`.
-    if (topic.empty())
-        return app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal);
+std::string help_on(const CommandLine& program, const std::string& topic) {
+    if (topic.empty()) return program.help();
     if (topic == "keys") return key_table();
-    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
-        if (sub->get_name() == topic) return sub->help(app.get_name());
+    if (const std::optional<std::string> help = program.help_on(topic)) return *help;
     throw InputError({.file = {}, .line = 0, .key = "help", .value = topic}, "is not a topic",
-                     "valid: " + topics(app));
+                     "valid: keys, " + program.command_names());
 }
 
 }  // namespace
 
-void add_help_command(CLI::App& app, Command& command) {
+void add_help_command(CommandLine& program) {
     const auto topic = std::make_shared<std::string>();
-    CLI::App* sub =
-        app.add_subcommand("help", "Explain a subcommand, or all keys of a case file: runout help keys");
-    sub->add_option("TOPIC", *topic, "keys, or the name of a subcommand")->type_name("");
-    sub->callback([topic, &app, &command] {
-        command = [topic, &app] {
-            fmt::print("{}", help_on(app, *topic));
-            return exit_code::success;
-        };
+    Command command =
+        program.add_command("help", "Explain a subcommand, or all keys of a case file: runout help keys");
+    command.add_option("TOPIC", topic.get(), "keys, or the name of a subcommand").value_name("");
+    command.set_work([topic, &program] {
+        fmt::print("{}", help_on(program, *topic));
+        return exit_code::success;
     });
 }
 

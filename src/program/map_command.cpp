@@ -1,13 +1,13 @@
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <memory>
 
 #include "core/printable.h"
 #include "program/answer.h"
 #include "program/command.h"
+#include "program/common_options.h"
+#include "program/log.h"
 #include "program/number_option.h"
-#include "program/output_option.h"
 #include "report/map/result_map.h"
 
 namespace runout {
@@ -26,7 +26,7 @@ int make_map(MapArguments arguments) {
     check_map_path(arguments.output, arguments.crs, arguments.rules);
     const ResultMap map = result_map(Store(arguments.database, Store::Mode::read), arguments.options);
     write_map(arguments.output, map.sheet, arguments.crs, arguments.rules);
-    for (const std::string& remark : map.remarks) spdlog::warn("{}", remark);
+    for (const std::string& remark : map.remarks) log_warning("{}", remark);
     for (const MapLayer& layer : map.sheet.layers)
         if (!layer.features.empty())
             print_text(fmt::format("{:<24}{:>6}  {}\n", printable(layer.name), layer.features.size(),
@@ -36,25 +36,25 @@ int make_map(MapArguments arguments) {
 
 }  // namespace
 
-void add_map_command(CLI::App& app, Command& command) {
+void add_map_command(CommandLine& program) {
     const auto arguments = std::make_shared<MapArguments>();
-    CLI::App* sub = app.add_subcommand("map", "Write the results as layers for a GIS");
-    sub->add_option("DB", arguments->database, "Database of runs, such as runout.db")
-        ->required()
-        ->type_name("");
-    sub->add_option("-o,--output", arguments->output, "The map: .gpkg (with styles for QGIS) or .geojson")
-        ->required()
-        ->type_name("PATH");
-    sub->add_option("--crs", arguments->crs,
+    Command command = program.add_command("map", "Write the results as layers for a GIS");
+    add_database_argument(command, arguments->database);
+    command.add_option("-o,--output", &arguments->output, "The map: .gpkg (with styles for QGIS) or .geojson")
+        .required()
+        .value_name("PATH");
+    command
+        .add_option("--crs", &arguments->crs,
                     "Coordinate system of a .gpkg, such as EPSG:2326 (default: that of the first section)")
-        ->type_name("NAME");
-    add_number_option(*sub, "--neighbours-within", arguments->options.neighbours_within_m,
+        .value_name("NAME");
+    add_number_option(command, "--neighbours-within", arguments->options.neighbours_within_m,
                       "Toes of neighbouring sections, which a hazard band joins, are no farther apart",
                       positive_number)
-        ->type_name("m");
-    sub->add_flag("--every-run", arguments->options.every_run, "Not only the finest run of each question");
-    add_overwrite_option(*sub, arguments->rules);
-    sub->callback([arguments, &command] { command = [arguments] { return make_map(*arguments); }; });
+        .value_name("m");
+    command.add_flag("--every-run", &arguments->options.every_run,
+                     "Not only the finest run of each question");
+    add_overwrite_option(command, arguments->rules);
+    command.set_work([arguments] { return make_map(*arguments); });
 }
 
 }  // namespace runout

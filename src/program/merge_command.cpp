@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <cstdio>
 #include <memory>
@@ -9,6 +8,7 @@
 #include "core/printable.h"
 #include "program/answer.h"
 #include "program/command.h"
+#include "program/log.h"
 #include "store/database.h"
 #include "store/store.h"
 
@@ -25,10 +25,10 @@ void tell(const std::string& path, const MergeCounts& counts) {
                            counts.runs_added, counts.runs_known, counts.studies));
     std::fflush(stdout);
     for (const std::string& object : counts.foreign)
-        spdlog::warn("{} holds {} {} that is not Runout's; it was left there", path,
-                     object.starts_with("index") ? "an" : "a", object);
+        log_warning("{} holds {} {} that is not Runout's; it was left there", path,
+                    object.starts_with("index") ? "an" : "a", object);
     if (counts.lacks_log)
-        spdlog::warn(
+        log_warning(
             "{0} says that it is written through a log, and there is no {0}-wal beside it: runs may be "
             "missing. If "
             "it was copied, copy {0}-wal too and merge again",
@@ -50,7 +50,7 @@ int merge(const MergeArguments& arguments) {
     } catch (const InputError& error) {
         if (merged == 0) throw;
         // What was merged stays, each database whole, and may be merged again.
-        spdlog::error("{}; the {} before it are merged, it and those after it are not", error.what(), merged);
+        log_error("{}; the {} before it are merged, it and those after it are not", error.what(), merged);
         return exit_code::not_a_result;
     }
     return complete ? exit_code::success : exit_code::not_a_result;
@@ -58,16 +58,16 @@ int merge(const MergeArguments& arguments) {
 
 }  // namespace
 
-void add_merge_command(CLI::App& app, Command& command) {
+void add_merge_command(CommandLine& program) {
     const auto arguments = std::make_shared<MergeArguments>();
-    CLI::App* sub = app.add_subcommand("merge", "Bring the runs of several databases into one");
-    sub->add_option("INTO", arguments->into, "Database that takes them; made if absent")
-        ->required()
-        ->type_name("");
-    sub->add_option("FROM", arguments->from, "Databases to read, such as shard-*.db")
-        ->required()
-        ->type_name("");
-    sub->callback([arguments, &command] { command = [arguments] { return merge(*arguments); }; });
+    Command command = program.add_command("merge", "Bring the runs of several databases into one");
+    command.add_option("INTO", &arguments->into, "Database that takes them; made if absent")
+        .required()
+        .value_name("");
+    command.add_option("FROM", &arguments->from, "Databases to read, such as shard-*.db")
+        .required()
+        .value_name("");
+    command.set_work([arguments] { return merge(*arguments); });
 }
 
 }  // namespace runout

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <filesystem>
 #include <memory>
@@ -10,6 +9,7 @@
 #include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
+#include "program/log.h"
 #include "scene/new_case.h"
 
 namespace runout {
@@ -43,7 +43,7 @@ int write_new_case(const NewArguments& arguments) {
         throw InputError({spec.file, 0, "", ""}, "has a name that is no UTF-8, which a case file cannot hold",
                          "rename it");
     if (made.example_friction)
-        spdlog::warn("material.friction_angle_deg = 38 is an example; give that of the soil");
+        log_warning("material.friction_angle_deg = 38 is an example; give that of the soil");
     if (arguments.output.empty()) {
         print_text(made.text);
         return exit_code::success;
@@ -57,14 +57,15 @@ int write_new_case(const NewArguments& arguments) {
 
 }  // namespace
 
-void add_new_command(CLI::App& app, Command& command) {
+void add_new_command(CommandLine& program) {
     const auto arguments = std::make_shared<NewArguments>();
-    CLI::App* sub = app.add_subcommand("new", "Write a case with explained keys from a section");
-    add_case_arguments(*sub, arguments->scenario);
-    sub->add_option("-o,--output", arguments->output, "File to write; standard output when it is not given")
-        ->type_name("PATH")
-        ->group("Output");
-    sub->callback([arguments, &command] { command = [arguments] { return write_new_case(*arguments); }; });
+    Command command = program.add_command("new", "Write a case with explained keys from a section");
+    add_case_arguments(command, arguments->scenario).required();
+    command
+        .add_option("-o,--output", &arguments->output, "File to write; standard output when it is not given")
+        .value_name("PATH")
+        .group("Output");
+    command.set_work([arguments] { return write_new_case(*arguments); });
 }
 
 }  // namespace runout

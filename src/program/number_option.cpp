@@ -43,21 +43,21 @@ Number number_from(const std::string& option, const std::string& text, const Num
 }
 
 template <class Read, class Value>
-CLI::Option* add_single(CLI::App& command, const std::string& names, Value& value, const std::string& help,
-                        const NumberRange& range) {
+CommandOption add_single(Command& command, const std::string& names, Value& value, const std::string& help,
+                         const NumberRange& range) {
     const auto take = [&value, option = long_name(names), range](const std::string& text) {
         value = static_cast<Read>(number_from<Read>(option, text, range));
     };
-    return command.add_option_function<std::string>(names, take, help)->type_name("number");
+    return command.add_option(names, take, help).value_name("number");
 }
 
 template <class Number>
-CLI::Option* add_list(CLI::App& command, const std::string& names, std::vector<Number>& values,
-                      const std::string& help, const NumberRange& range) {
+CommandOption add_list(Command& command, const std::string& names, std::vector<Number>& values,
+                       const std::string& help, const NumberRange& range) {
     const auto take = [&values, option = long_name(names), range](const std::vector<std::string>& texts) {
         for (const std::string& text : texts) values.push_back(number_from<Number>(option, text, range));
     };
-    return command.add_option_function<std::vector<std::string>>(names, take, help);
+    return command.add_option(names, take, help);
 }
 
 /// Ids are given out from 1; those of a database from elsewhere may be any.
@@ -65,36 +65,36 @@ constexpr NumberRange any_id = {.low = -0x1p63, .high = 0x1p63};
 
 }  // namespace
 
-CLI::Option* add_number_option(CLI::App& command, const std::string& names, double& value,
-                               const std::string& help, const NumberRange& range) {
-    CLI::Option* option = add_single<double>(command, names, value, help, range);
-    return std::isnan(value) ? option : option->default_str(fmt::format("{:g}", value));
+CommandOption add_number_option(Command& command, const std::string& names, double& value,
+                                const std::string& help, const NumberRange& range) {
+    CommandOption option = add_single<double>(command, names, value, help, range);
+    return std::isnan(value) ? option : option.default_text(fmt::format("{:g}", value));
 }
 
-CLI::Option* add_number_option(CLI::App& command, const std::string& names, int& value,
-                               const std::string& help, const NumberRange& range) {
-    return add_single<int>(command, names, value, help, range)->default_str(fmt::format("{}", value));
+CommandOption add_number_option(Command& command, const std::string& names, int& value,
+                                const std::string& help, const NumberRange& range) {
+    return add_single<int>(command, names, value, help, range).default_text(fmt::format("{}", value));
 }
 
-CLI::Option* add_number_option(CLI::App& command, const std::string& names, std::uint64_t& value,
-                               const std::string& help, const NumberRange& range) {
+CommandOption add_number_option(Command& command, const std::string& names, std::uint64_t& value,
+                                const std::string& help, const NumberRange& range) {
     return add_single<std::uint64_t>(command, names, value, help, range)
-        ->default_str(fmt::format("{}", value));
+        .default_text(fmt::format("{}", value));
 }
 
-CLI::Option* add_number_option(CLI::App& command, const std::string& names, std::vector<double>& values,
-                               const std::string& help, const NumberRange& range) {
-    return add_list(command, names, values, help, range)->type_name("number");
+CommandOption add_number_option(Command& command, const std::string& names, std::vector<double>& values,
+                                const std::string& help, const NumberRange& range) {
+    return add_list(command, names, values, help, range).value_name("number");
 }
 
-CLI::Option* add_id_option(CLI::App& command, const std::string& name, std::optional<long>& id,
-                           const std::string& help) {
-    return add_single<long>(command, name, id, help, any_id)->type_name("ID");
+CommandOption add_id_option(Command& command, const std::string& name, std::optional<long>& id,
+                            const std::string& help) {
+    return add_single<long>(command, name, id, help, any_id).value_name("ID");
 }
 
-CLI::Option* add_id_option(CLI::App& command, const std::string& name, std::vector<long>& ids,
-                           const std::string& help) {
-    return add_list(command, name, ids, help, any_id)->type_name("ID");
+CommandOption add_id_option(Command& command, const std::string& name, std::vector<long>& ids,
+                            const std::string& help) {
+    return add_list(command, name, ids, help, any_id).value_name("ID");
 }
 
 }  // namespace runout

@@ -1,10 +1,9 @@
 #include "program/patient_store.h"
 
-#include <fmt/format.h>
-#include <spdlog/spdlog.h>
-
 #include <chrono>
 #include <memory>
+
+#include "program/log.h"
 
 namespace runout {
 namespace {
@@ -22,8 +21,8 @@ void wait_for_others(Store& store, const std::string& path, const std::atomic<bo
         if (interrupt) return false;
         if (Clock::now() >= next_message) {
             next_message = Clock::now() + between_messages;
-            spdlog::error("{} is in use by another program; what has ended waits for it; Ctrl-C gives it up",
-                          path);
+            log_error("{} is in use by another program; what has ended waits for it; Ctrl-C gives it up",
+                      path);
         }
         return true;
     });

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <filesystem>
 #include <memory>
@@ -11,7 +10,8 @@
 #include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
-#include "program/output_option.h"
+#include "program/common_options.h"
+#include "program/log.h"
 #include "program/refused_sections.h"
 #include "report/chart/section_view.h"
 #include "report/chart/svg_chart.h"
@@ -124,23 +124,23 @@ int show_profile(ProfileArguments arguments) {
     const ShownSection& section = sections.front();
     log_reading(section.profile);
     print_text(section_text(view_of(section)) + section_drawing(view_of(section), drawing_columns));
-    if (!section.no_source.empty()) spdlog::info("no source is shown: {}", section.no_source);
+    if (!section.no_source.empty()) log_info("no source is shown: {}", section.no_source);
     return exit_code::success;
 }
 
 }  // namespace
 
-void add_profile_command(CLI::App& app, Command& command) {
+void add_profile_command(CommandLine& program) {
     const auto arguments = std::make_shared<ProfileArguments>();
-    CLI::App* sub =
-        app.add_subcommand("profile", "Show the section that was read, with toe, crest and source");
-    add_case_arguments(*sub, arguments->scenario);
-    sub->add_option("--svg", arguments->svg, "Draw it into a file as well")
-        ->type_name("PATH")
-        ->group("Output");
-    add_refused_option(*sub, arguments->refused);
-    add_overwrite_option(*sub, arguments->rules);
-    sub->callback([arguments, &command] { command = [arguments] { return show_profile(*arguments); }; });
+    Command command =
+        program.add_command("profile", "Show the section that was read, with toe, crest and source");
+    add_case_arguments(command, arguments->scenario).required();
+    command.add_option("--svg", &arguments->svg, "Draw it into a file as well")
+        .value_name("PATH")
+        .group("Output");
+    add_refused_option(command, arguments->refused);
+    add_overwrite_option(command, arguments->rules);
+    command.set_work([arguments] { return show_profile(*arguments); });
 }
 
 }  // namespace runout

@@ -1,12 +1,13 @@
 #include "program/progress_line.h"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+#include "program/log.h"
 
 namespace runout {
 namespace {
@@ -46,7 +47,7 @@ void ProgressLine::show(const Progress& reported) {
     const int tenths = static_cast<int>(progress.fraction * 10);
     if (style_ == Style::lines && tenths > tenths_shown_) {
         tenths_shown_ = tenths;
-        spdlog::info("{} % done, {:.3g} s simulated, {}", 10 * tenths, progress.time_s, time_left(progress));
+        log_info("{} % done, {:.3g} s simulated, {}", 10 * tenths, progress.time_s, time_left(progress));
     }
 }
 

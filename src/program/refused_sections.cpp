@@ -1,12 +1,12 @@
 #include "program/refused_sections.h"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 
 #include "core/csv_cell.h"
 #include "core/printable.h"
+#include "program/log.h"
 
 namespace runout {
 namespace {
@@ -50,20 +50,20 @@ std::string SectionTally::summary() const {
 }
 
 void tell_refused(const RefusedSection& section) {
-    spdlog::error("feature {} ({}) is refused: {}", section.feature_id, printable(section.name),
-                  printable(section.reason));
+    log_error("feature {} ({}) is refused: {}", section.feature_id, printable(section.name),
+              printable(section.reason));
 }
 
 std::string good_and_refused(std::size_t good, std::size_t refused) {
     return fmt::format("{} good, {} refused", good, refused);
 }
 
-void add_refused_option(CLI::App& subcommand, std::string& path) {
-    subcommand
-        .add_option(option, path,
+void add_refused_option(Command& command, std::string& path) {
+    command
+        .add_option(option, &path,
                     "CSV file that takes the lines of a layer that were refused, with the reason")
-        ->type_name("PATH")
-        ->group("Output");
+        .value_name("PATH")
+        .group("Output");
 }
 
 void write_refused(const std::string& path, const std::vector<RefusedSection>& sections,

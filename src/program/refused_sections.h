@@ -1,12 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/input_error.h"
 #include "core/output_file.h"
+#include "program/command_line.h"
 #include "scene/section_cases.h"
 #include "store/refused_rows.h"
 
@@ -65,7 +65,7 @@ void tell_refused(const RefusedSection& section);
 std::string good_and_refused(std::size_t good, std::size_t refused);
 
 /// Declares `--refused FILE`.
-void add_refused_option(CLI::App& subcommand, std::string& path);
+void add_refused_option(Command& command, std::string& path);
 
 /// Writes them as CSV with the columns origin, feature_id, name and reason. Nothing if `path` is empty.
 void write_refused(const std::string& path, const std::vector<RefusedSection>& sections,

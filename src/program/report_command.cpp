@@ -1,12 +1,11 @@
-#include <spdlog/spdlog.h>
-
 #include <limits>
 #include <memory>
 #include <optional>
 
 #include "program/command.h"
+#include "program/common_options.h"
+#include "program/log.h"
 #include "program/number_option.h"
-#include "program/output_option.h"
 #include "program/run_choice.h"
 #include "program/study_choice.h"
 #include "report/page/run_page.h"
@@ -50,28 +49,28 @@ int report(ReportArguments arguments) {
     const Store store(arguments.choice.database, Store::Mode::read);
     const std::string page = page_of(store, arguments);
     write_output_file(arguments.output, "-o", page, arguments.rules);
-    spdlog::info("wrote {} ({:.1f} MB)", arguments.output, 1e-6 * static_cast<double>(page.size()));
+    log_info("wrote {} ({:.1f} MB)", arguments.output, 1e-6 * static_cast<double>(page.size()));
     return exit_code::success;
 }
 
 }  // namespace
 
-void add_report_command(CLI::App& app, Command& command) {
+void add_report_command(CommandLine& program) {
     const auto arguments = std::make_shared<ReportArguments>();
-    CLI::App* sub =
-        app.add_subcommand("report", "Write a page that shows a stored run, for any browser, offline");
-    add_run_choice(*sub, arguments->choice);
-    add_id_option(*sub, "--section", arguments->section_id,
+    Command command =
+        program.add_command("report", "Write a page that shows a stored run, for any browser, offline");
+    add_run_choice(command, arguments->choice);
+    add_id_option(command, "--section", arguments->section_id,
                   "Show all runs on this section instead of one run")
-        ->excludes("--run");
-    sub->add_option("--study", arguments->study, "Show all scenarios of this study instead of one run")
-        ->type_name("NAME|ID")
-        ->excludes("--run")
-        ->excludes("--section");
-    add_width_option(*sub, arguments->width);
-    sub->add_option("-o,--output", arguments->output, "The page")->type_name("PATH")->capture_default_str();
-    add_overwrite_option(*sub, arguments->rules);
-    sub->callback([arguments, &command] { command = [arguments] { return report(*arguments); }; });
+        .excludes("--run");
+    command.add_option("--study", &arguments->study, "Show all scenarios of this study instead of one run")
+        .value_name("NAME|ID")
+        .excludes("--run")
+        .excludes("--section");
+    add_width_option(command, arguments->width);
+    command.add_option("-o,--output", &arguments->output, "The page").value_name("PATH").show_default();
+    add_overwrite_option(command, arguments->rules);
+    command.set_work([arguments] { return report(*arguments); });
 }
 
 }  // namespace runout

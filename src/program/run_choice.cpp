@@ -1,23 +1,22 @@
 #include "program/run_choice.h"
 
 #include "core/input_error.h"
+#include "program/common_options.h"
 #include "program/number_option.h"
 
 namespace runout {
 
-void add_run_choice(CLI::App& subcommand, RunChoice& choice) {
-    subcommand.add_option("DB", choice.database, "Database of runs, such as runout.db")
-        ->required()
-        ->type_name("");
-    add_id_option(subcommand, "--run", choice.run_id, "Number of the run; the last result if none is given");
+void add_run_choice(Command& command, RunChoice& choice) {
+    add_database_argument(command, choice.database);
+    add_id_option(command, "--run", choice.run_id, "Number of the run; the last result if none is given");
 }
 
-void add_width_option(CLI::App& subcommand, double& width) {
+void add_width_option(Command& command, double& width) {
     add_number_option(
-        subcommand, "--width", width,
+        command, "--width", width,
         "Width of the slide across the section: area times width is the volume that most relations ask for",
         {1e-3, 1e6})
-        ->type_name("m");
+        .value_name("m");
 }
 
 long chosen_run(const Store& store, const RunChoice& choice) {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
+#include "program/command_line.h"
 #include "store/store.h"
 
 namespace runout {
@@ -15,10 +15,10 @@ struct RunChoice {
 };
 
 /// Declares DB and --run.
-void add_run_choice(CLI::App& subcommand, RunChoice& choice);
+void add_run_choice(Command& command, RunChoice& choice);
 
 /// Declares --width; `width` stays as it is when it is not given.
-void add_width_option(CLI::App& subcommand, double& width);
+void add_width_option(Command& command, double& width);
 
 /// The run that was named, or else the last one that is a result, or else the last one. Throws InputError
 /// when there are none.

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <cmath>
 #include <exception>
@@ -12,15 +11,15 @@
 #include "program/answer.h"
 #include "program/case_arguments.h"
 #include "program/command.h"
+#include "program/common_options.h"
 #include "program/interrupt.h"
+#include "program/log.h"
 #include "program/number_option.h"
-#include "program/output_option.h"
 #include "program/progress_line.h"
 #include "program/refused_sections.h"
 #include "program/run_keeper.h"
 #include "report/text/ladder_text.h"
 #include "report/text/table.h"
-#include "report/text/time_table.h"
 #include "run/run_scene.h"
 #include "scene/input_files.h"
 #include "scene/scene.h"
@@ -67,8 +66,8 @@ int exit_code_of(const RunResult& result) {
 
 void log_ending(const RunResult& result) {
     if (is_result(result.status)) return;
-    spdlog::warn("the run ended as {}{}{}", to_string(result.status),
-                 result.status_detail.empty() ? "" : ": ", result.status_detail);
+    log_warning("the run ended as {}{}{}", to_string(result.status), result.status_detail.empty() ? "" : ": ",
+                result.status_detail);
 }
 
 /// A section that is to be run, as its case asks for it.
@@ -101,9 +100,9 @@ RunPlan plan_of(const Section& section, const std::optional<Store>& store, const
 }
 
 void log_plan(const RunPlan& plan) {
-    if (!plan.reason.empty()) spdlog::info("{}", plan.reason);
+    if (!plan.reason.empty()) log_info("{}", plan.reason);
     if (std::isfinite(plan.appraisal.expected_cpu_s))
-        spdlog::info("expected to take {} of CPU time", short_duration(plan.appraisal.expected_cpu_s));
+        log_info("expected to take {} of CPU time", short_duration(plan.appraisal.expected_cpu_s));
 }
 
 /// Where the runs go; nowhere when they are not to be stored. The log is closed last.
@@ -122,9 +121,9 @@ struct RunDatabase {
 };
 
 void log_place(const StoredRun& run, const RunKeeper& keeper, const std::string& asked) {
-    spdlog::info("stored as run {} in {}", run.run_id, keeper.place());
+    log_info("stored as run {} in {}", run.run_id, keeper.place());
     if (keeper.is_elsewhere())
-        spdlog::warn("not in {}; when that is free: runout merge {} {}", asked, asked, keeper.place());
+        log_warning("not in {}; when that is free: runout merge {} {}", asked, asked, keeper.place());
 }
 
 /// Simulates, stores and prints one section, and returns its exit code.
@@ -139,7 +138,7 @@ int run_section(const RunPlan& plan, const RunArguments& arguments, RunDatabase&
     StoredRun run = describe_run(scene, result, plan.appraisal);
     std::exception_ptr failure;
     try {
-        if (database.keeper) run = database.keeper->keep({scene, result, plan.appraisal, plan.pilots});
+        if (database.keeper) run.run_id = database.keeper->keep({scene, result, run, plan.pilots});
     } catch (...) {
         failure = std::current_exception();  // a full disk must not cost the answer: print it first
     }
@@ -173,8 +172,7 @@ int run_sections(const std::vector<Section>& sections, SectionTally& tally, cons
     int failed = 0;
     bool elsewhere = false;
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        if (tally.many())
-            spdlog::info("section {} of {}: {}", i + 1, sections.size(), sections[i].scene.name);
+        if (tally.many()) log_info("section {} of {}: {}", i + 1, sections.size(), sections[i].scene.name);
         const std::optional<RunPlan> plan = plan_or_refuse(
             sections[i], tally, [&] { return plan_of(sections[i], database.store, arguments, interrupt); });
         if (!plan) continue;
@@ -183,7 +181,7 @@ int run_sections(const std::vector<Section>& sections, SectionTally& tally, cons
         if (code == exit_code::stored_elsewhere) elsewhere = true;
         if (code == exit_code::not_a_result) ++failed;
     }
-    if (failed > 0 && tally.many()) spdlog::warn("{} of {} sections gave no result", failed, sections.size());
+    if (failed > 0 && tally.many()) log_warning("{} of {} sections gave no result", failed, sections.size());
     if (elsewhere) return exit_code::stored_elsewhere;
     return failed > 0 ? exit_code::not_a_result : exit_code::success;
 }
@@ -196,7 +194,7 @@ int end_of_many(int code, const SectionTally& tally, const RunArguments& argumen
     write_refused(arguments.refused, tally.sections().refused, arguments.rules);
     if (!tally.any_refused()) return code;
     if (arguments.json)
-        spdlog::error("{}", tally.summary());
+        log_error("{}", tally.summary());
     else
         print_text(tally.summary() + "\n");
     return code == exit_code::success ? exit_code::not_a_result : code;
@@ -209,7 +207,7 @@ void remove_database(const std::string& path) {
 }
 
 int run(RunArguments arguments) {
-    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
+    if (arguments.quiet) log_errors_only();
     const CaseSpec whole = case_from(arguments.scenario);
     arguments.rules.taken = input_files(whole);
     for (const std::string& file : database_files(arguments.database)) arguments.rules.taken.push_back(file);
@@ -243,43 +241,47 @@ int run(RunArguments arguments) {
 
 }  // namespace
 
-void add_run_command(CLI::App& app, Command& command) {
+void add_run_command(CommandLine& program) {
     const auto arguments = std::make_shared<RunArguments>();
-    CLI::App* sub = app.add_subcommand("run", "Simulate the run-out of a case or of a bare section");
-    add_case_arguments(*sub, arguments->scenario);
-    sub->add_option("--db", arguments->database, "Database that takes the run; made if absent")
-        ->type_name("PATH")
-        ->capture_default_str()
-        ->group("Output");
-    sub->add_flag_callback(
-           "--no-store", [arguments] { arguments->store = false; }, "Leave no trace but the answer")
-        ->group("Output");
-    sub->add_flag_callback(
-           "--no-pilots", [arguments] { arguments->pilots = false; },
-           "No coarse runs beside a spacing that is given: no error bar and no expected time unless there is "
-           "a ladder")
-        ->group("Accuracy");
-    add_number_option(*sub, "--budget", arguments->budget_s,
+    Command command = program.add_command("run", "Simulate the run-out of a case or of a bare section");
+    add_case_arguments(command, arguments->scenario).required();
+    command.add_option("--db", &arguments->database, "Database that takes the run; made if absent")
+        .value_name("PATH")
+        .show_default()
+        .group("Output");
+    command
+        .add_flag(
+            "--no-store", [arguments] { arguments->store = false; }, "Leave no trace but the answer")
+        .group("Output");
+    command
+        .add_flag(
+            "--no-pilots", [arguments] { arguments->pilots = false; },
+            "No coarse runs beside a spacing that is given: no error bar and no expected time unless there "
+            "is "
+            "a ladder")
+        .group("Accuracy");
+    add_number_option(command, "--budget", arguments->budget_s,
                       "CPU time that a run may take whose spacing is chosen", positive_number)
-        ->type_name("s")
-        ->group("Accuracy");
-    add_number_option(*sub, "--wait", arguments->wait_s,
+        .value_name("s")
+        .group("Accuracy");
+    add_number_option(command, "--wait", arguments->wait_s,
                       "How long a run that has ended waits for a database that another program holds, before "
                       "it is stored in one beside it",
                       {0, 1e6})
-        ->type_name("s")
-        ->group("Output");
-    add_number_option(*sub, "--frames", arguments->frames,
+        .value_name("s")
+        .group("Output");
+    add_number_option(command, "--frames", arguments->frames,
                       "Most pictures of the particles to store for the animation of the report; 0 for none",
                       {0, 10'000})
-        ->group("Output");
-    add_refused_option(*sub, arguments->refused);
-    add_overwrite_option(*sub, arguments->rules);
-    sub->add_flag("--json", arguments->json,
+        .group("Output");
+    add_refused_option(command, arguments->refused);
+    add_overwrite_option(command, arguments->rules);
+    command
+        .add_flag("--json", &arguments->json,
                   "Print the answer as one JSON object, one after the other for many sections")
-        ->group("Output");
-    sub->add_flag("--quiet", arguments->quiet, "No progress, no log but errors")->group("Output");
-    sub->callback([arguments, &command] { command = [arguments] { return run(*arguments); }; });
+        .group("Output");
+    command.add_flag("--quiet", &arguments->quiet, "No progress, no log but errors").group("Output");
+    command.set_work([arguments] { return run(*arguments); });
 }
 
 }  // namespace runout

@@ -2,13 +2,13 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <array>
 #include <filesystem>
 
 #include "core/input_error.h"
+#include "program/log.h"
 #include "store/database_in_use.h"
 
 namespace runout {
@@ -18,10 +18,6 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds one_try{1};
 constexpr std::chrono::seconds between_messages{10};
-
-long add(Store& store, const EndedRun& run) {
-    return store.add(run.scene, run.result, run.appraisal, run.pilots);
-}
 
 /// "study-side-20240531T093000Z-4711.db": no other program makes the same.
 std::string side_name(const std::string& path) {
@@ -43,43 +39,43 @@ std::vector<std::string> side_places(const std::string& path) {
 RunKeeper::RunKeeper(Store& store, std::string path, std::chrono::seconds patience)
     : store_(store), path_(std::move(path)), patience_(patience) {}
 
-StoredRun RunKeeper::keep(const EndedRun& run) {
+long RunKeeper::keep(const EndedRun& run) {
     if (is_elsewhere()) return keep_elsewhere(run);
     try {
         return keep_waiting(run);
     } catch (const std::exception& error) {  // whatever is wrong with that file, the run is not
-        spdlog::warn("{}: {}", path_, error.what());
+        log_warning("{}: {}", path_, error.what());
         return keep_elsewhere(run);
     }
 }
 
-StoredRun RunKeeper::keep_waiting(const EndedRun& run) {
+long RunKeeper::keep_waiting(const EndedRun& run) {
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + patience_;
     auto next_message = Clock::now();
     store_.set_patience(one_try);
     while (true) {
         try {
-            return store_.run(add(store_, run));
+            return store_.add(run);
         } catch (const DatabaseInUse&) {
             const auto now = Clock::now();
             if (now >= end) throw;
             if (now < next_message) continue;
             next_message = now + between_messages;
-            spdlog::warn("{} is in use by another program; trying for {} s more", path_,
-                         std::chrono::ceil<std::chrono::seconds>(end - now).count());
+            log_warning("{} is in use by another program; trying for {} s more", path_,
+                        std::chrono::ceil<std::chrono::seconds>(end - now).count());
         }
     }
 }
 
-StoredRun RunKeeper::keep_elsewhere(const EndedRun& run) {
+long RunKeeper::keep_elsewhere(const EndedRun& run) {
     std::string last_problem;
     for (const std::string& place : is_elsewhere() ? std::vector{elsewhere_} : side_places(path_)) {
         try {
             Store side(place, Store::Mode::write);
-            const StoredRun stored = side.run(add(side, run));
+            const long run_id = side.add(run);
             elsewhere_ = place;
-            return stored;
+            return run_id;
         } catch (const InputError& error) {
             last_problem = error.what();
         }

@@ -59,7 +59,8 @@ std::string point_text(const Profile& profile, const Vec2& local) {
 
 std::string points_text(const Profile& profile, const Polyline& local) {
     std::string text;
-    for (const Vec2& point : local) text += (text.empty() ? "" : " ") + point_text(profile, point);
+    for (const Vec2& point : local)
+        text += fmt::format("{}{}", text.empty() ? "" : " ", point_text(profile, point));
     return text;
 }
 
@@ -94,12 +95,12 @@ int show_source(const SourceArguments& arguments) {
 
 }  // namespace
 
-void add_source_command(CLI::App& app, Command& command) {
+void add_source_command(CommandLine& program) {
     const auto arguments = std::make_shared<SourceArguments>();
-    CLI::App* sub = app.add_subcommand("source", "Derive the source and print it, without a run");
-    add_case_arguments(*sub, arguments->scenario);
-    sub->add_flag("--json", arguments->json, "Print the source as one JSON object")->group("Output");
-    sub->callback([arguments, &command] { command = [arguments] { return show_source(*arguments); }; });
+    Command command = program.add_command("source", "Derive the source and print it, without a run");
+    add_case_arguments(command, arguments->scenario).required();
+    command.add_flag("--json", &arguments->json, "Print the source as one JSON object").group("Output");
+    command.set_work([arguments] { return show_source(*arguments); });
 }
 
 }  // namespace runout

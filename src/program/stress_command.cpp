@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <charconv>
@@ -10,8 +9,9 @@
 #include "core/input_error.h"
 #include "program/answer.h"
 #include "program/command.h"
+#include "program/common_options.h"
 #include "program/interrupt.h"
-#include "program/jobs_option.h"
+#include "program/log.h"
 #include "program/number_option.h"
 #include "program/patient_store.h"
 #include "report/text/stress_table.h"
@@ -46,7 +46,7 @@ std::string known_axes(std::span<const StressAxis> axes) {
 
 /// "slope_angle_deg=40:70" narrows one axis.
 void narrow(std::vector<StressAxis>& axes, const std::string& text) {
-    const InputPlace place{.file = "--range", .line = 0, .key = {}, .value = text};
+    const InputPlace place = option_place("--range", text);
     const std::size_t equals = std::min(text.find('='), text.size());
     const std::string name = text.substr(0, equals);
     const auto axis = std::ranges::find(axes, name, &StressAxis::name);
@@ -67,13 +67,12 @@ void narrow(std::vector<StressAxis>& axes, const std::string& text) {
 std::pair<std::string, std::string> split(const std::string& setting) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos)
-        throw InputError({.file = "--set", .line = 0, .key = {}, .value = setting}, "is not key=value",
-                         "write --set run.courant=0.1");
+        throw InputError(option_place("--set", setting), "is not key=value", "write --set run.courant=0.1");
     return {setting.substr(0, equals), setting.substr(equals + 1)};
 }
 
 int stress(const StressArguments& arguments) {
-    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
+    if (arguments.quiet) log_errors_only();
     std::vector<StressAxis> axes = stress_axes();
     for (const std::string& range : arguments.ranges) narrow(axes, range);
     const WriteAheadLog log_of_writes(arguments.database);
@@ -85,7 +84,7 @@ int stress(const StressArguments& arguments) {
     for (const std::string& setting : arguments.settings) options.settings.push_back(split(setting));
     options.interrupt = &interrupt.requested();
     options.on_run = [](int done, int total) {
-        if (done % 50 == 0 || done == total) spdlog::info("{} of {} scenes", done, total);
+        if (done % 50 == 0 || done == total) log_info("{} of {} scenes", done, total);
     };
     const auto points = stress_points(axes, arguments.scenes, arguments.seed);
     const auto outcomes = run_stress(points, arguments.seed, store, options);
@@ -103,27 +102,30 @@ std::string axes_text() {
 
 }  // namespace
 
-void add_stress_command(CLI::App& app, Command& command) {
+void add_stress_command(CommandLine& program) {
     const auto arguments = std::make_shared<StressArguments>();
-    CLI::App* sub = app.add_subcommand(
+    Command command = program.add_command(
         "stress",
         "Run random hard scenes and say how each ended and how near any came to losing its stability");
-    add_number_option(*sub, "--scenes", arguments->scenes, "How many, spread by a Latin hypercube", {1, 1e6});
-    add_number_option(*sub, "--seed", arguments->seed, "The same seed makes the same scenes", not_negative);
-    sub->add_option("--range", arguments->ranges, "Narrow an axis, or fix it; may be repeated")
-        ->type_name("axis=LOW:HIGH")
-        ->allow_extra_args(false);
-    sub->add_option("--set", arguments->settings,
+    add_number_option(command, "--scenes", arguments->scenes, "How many, spread by a Latin hypercube",
+                      {1, 1e6});
+    add_number_option(command, "--seed", arguments->seed, "The same seed makes the same scenes",
+                      not_negative);
+    command.add_option("--range", &arguments->ranges, "Narrow an axis, or fix it; may be repeated")
+        .value_name("axis=LOW:HIGH")
+        .one_value_a_use();
+    command
+        .add_option("--set", &arguments->settings,
                     "Any key run.* of a case file, for all scenes; may be repeated")
-        ->type_name("key=value")
-        ->allow_extra_args(false);
-    sub->add_option("--db", arguments->database, "Database that takes the runs; made if absent")
-        ->type_name("PATH")
-        ->capture_default_str();
-    add_jobs_option(*sub, arguments->jobs);
-    sub->add_flag("--quiet", arguments->quiet, "No log but errors");
-    sub->footer(axes_text());
-    sub->callback([arguments, &command] { command = [arguments] { return stress(*arguments); }; });
+        .value_name("key=value")
+        .one_value_a_use();
+    command.add_option("--db", &arguments->database, "Database that takes the runs; made if absent")
+        .value_name("PATH")
+        .show_default();
+    add_jobs_option(command, arguments->jobs);
+    command.add_flag("--quiet", &arguments->quiet, "No log but errors");
+    command.set_footer(axes_text());
+    command.set_work([arguments] { return stress(*arguments); });
 }
 
 }  // namespace runout

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <charconv>
 #include <chrono>
@@ -16,9 +15,9 @@
 #include "core/printable.h"
 #include "program/answer.h"
 #include "program/command.h"
+#include "program/common_options.h"
 #include "program/interrupt.h"
-#include "program/jobs_option.h"
-#include "program/output_option.h"
+#include "program/log.h"
 #include "program/patient_store.h"
 #include "program/progress_line.h"
 #include "program/refused_sections.h"
@@ -59,7 +58,7 @@ struct Shard {
 
 Shard shard_of(const std::string& text) {
     if (text.empty()) return {};
-    const InputPlace place{.file = "--shard", .line = 0, .key = {}, .value = text};
+    const InputPlace place = option_place("--shard", text);
     Shard shard;
     const char* const end = text.data() + text.size();
     const auto first = std::from_chars(text.data(), end, shard.index);
@@ -234,7 +233,7 @@ class SweepLog {
         next_line_ = now + std::chrono::seconds(5);
         const double passed = std::chrono::duration<double>(now - begin_).count();
         const double left = passed / static_cast<double>(done_) * static_cast<double>(total_ - done_);
-        spdlog::info("{}; {} left", summary(), duration_text(left));
+        log_info("{}; {} left", summary(), duration_text(left));
     }
 
     const ScenarioList& scenarios_;
@@ -280,14 +279,14 @@ int run_sweep(const SweepArguments& arguments, const Study& study, const Scenari
     if (!refused.empty())
         print_text(fmt::format("sections: {}\n", good_and_refused(log.sections().good(), refused.size())));
     if (!log.complete()) {
-        spdlog::warn("stopped; what has ended is in {}, and the same command goes on", arguments.database);
+        log_warning("stopped; what has ended is in {}, and the same command goes on", arguments.database);
         return exit_code::interrupted;
     }
     return log.has_failures() ? exit_code::not_a_result : exit_code::success;
 }
 
 int sweep(SweepArguments arguments) {
-    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
+    if (arguments.quiet) log_errors_only();
     const Shard shard = shard_of(arguments.shard);
     const Study study = read_study(arguments.study);
     arguments.rules.taken = database_files(arguments.database);
@@ -307,30 +306,33 @@ int sweep(SweepArguments arguments) {
 
 }  // namespace
 
-void add_sweep_command(CLI::App& app, Command& command) {
+void add_sweep_command(CommandLine& program) {
     const auto arguments = std::make_shared<SweepArguments>();
-    CLI::App* sub =
-        app.add_subcommand("sweep", "Run the scenarios of a study; what is there already is not repeated");
-    sub->add_option("STUDY", arguments->study, "Study (.toml): a case, and what is varied (docs/sweeps.md)")
-        ->required()
-        ->type_name("");
-    sub->add_option("--db", arguments->database, "Database that takes the runs")
-        ->type_name("PATH")
-        ->capture_default_str();
-    add_jobs_option(*sub, arguments->jobs);
-    sub->add_option("--shard", arguments->shard,
+    Command command =
+        program.add_command("sweep", "Run the scenarios of a study; what is there already is not repeated");
+    command
+        .add_option("STUDY", &arguments->study, "Study (.toml): a case, and what is varied (docs/sweeps.md)")
+        .required()
+        .value_name("");
+    command.add_option("--db", &arguments->database, "Database that takes the runs")
+        .value_name("PATH")
+        .show_default();
+    add_jobs_option(command, arguments->jobs);
+    command
+        .add_option("--shard", &arguments->shard,
                     "Only a part: index/count, counted from 0, for many machines")
-        ->type_name("i/n");
-    sub->add_flag("--dry-run", arguments->dry_run,
-                  "Say how many scenarios there are and what they will take");
-    sub->add_flag("--slurm", arguments->slurm,
-                  "Print a Slurm job array in as many parts as --shard 0/n says; give it to sbatch");
-    sub->add_flag("--series", arguments->series, "Store the series of each run too, as `runout run` does");
-    add_refused_option(*sub, arguments->refused);
-    add_overwrite_option(*sub, arguments->rules);
-    sub->add_flag("--yes", arguments->yes, "Run more than 100,000 combinations");
-    sub->add_flag("--quiet", arguments->quiet, "No progress, no log but errors");
-    sub->callback([arguments, &command] { command = [arguments] { return sweep(*arguments); }; });
+        .value_name("i/n");
+    command.add_flag("--dry-run", &arguments->dry_run,
+                     "Say how many scenarios there are and what they will take");
+    command.add_flag("--slurm", &arguments->slurm,
+                     "Print a Slurm job array in as many parts as --shard 0/n says; give it to sbatch");
+    command.add_flag("--series", &arguments->series,
+                     "Store the series of each run too, as `runout run` does");
+    add_refused_option(command, arguments->refused);
+    add_overwrite_option(command, arguments->rules);
+    command.add_flag("--yes", &arguments->yes, "Run more than 100,000 combinations");
+    command.add_flag("--quiet", &arguments->quiet, "No progress, no log but errors");
+    command.set_work([arguments] { return sweep(*arguments); });
 }
 
 }  // namespace runout

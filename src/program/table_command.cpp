@@ -7,6 +7,7 @@
 #include "core/input_error.h"
 #include "program/answer.h"
 #include "program/command.h"
+#include "program/common_options.h"
 #include "program/number_option.h"
 #include "program/study_choice.h"
 #include "report/text/run_out_table.h"
@@ -69,30 +70,31 @@ int show_table(TableArguments arguments) {
 
 }  // namespace
 
-void add_table_command(CLI::App& app, Command& command) {
+void add_table_command(CommandLine& program) {
     const auto arguments = std::make_shared<TableArguments>();
-    CLI::App* sub =
-        app.add_subcommand("table", "The run-out table of a study, or a list of the runs of a database");
-    sub->add_option("DB", arguments->database, "Database of runs, such as runout.db")
-        ->required()
-        ->type_name("");
-    sub->add_option("--study", arguments->study,
+    Command command =
+        program.add_command("table", "The run-out table of a study, or a list of the runs of a database");
+    add_database_argument(command, arguments->database);
+    command
+        .add_option("--study", &arguments->study,
                     "Which study; by default the only one, else every run is listed")
-        ->type_name("NAME|ID");
-    sub->add_flag("--list", arguments->list, "List every run, study or not");
-    sub->add_option("--rows", arguments->layout.rows,
+        .value_name("NAME|ID");
+    command.add_flag("--list", &arguments->list, "List every run, study or not");
+    command
+        .add_option("--rows", &arguments->layout.rows,
                     "What the rows of the table are: section, slope_angle_deg or a varied key")
-        ->type_name("word");
-    sub->add_option("--columns", arguments->layout.columns,
+        .value_name("word");
+    command
+        .add_option("--columns", &arguments->layout.columns,
                     "What its columns are: drop_height_m, source_type or a varied key")
-        ->type_name("word");
-    add_number_option(*sub, "--distance", arguments->layout.distances,
+        .value_name("word");
+    add_number_option(command, "--distance", arguments->layout.distances,
                       "Tell the probability of reaching this distance", not_negative)
-        ->type_name("m");
-    sub->add_option("--format", arguments->format, "text, csv, json, or (of a study) markdown")
-        ->type_name("word")
-        ->capture_default_str();
-    sub->callback([arguments, &command] { command = [arguments] { return show_table(*arguments); }; });
+        .value_name("m");
+    command.add_option("--format", &arguments->format, "text, csv, json, or (of a study) markdown")
+        .value_name("word")
+        .show_default();
+    command.set_work([arguments] { return show_table(*arguments); });
 }
 
 }  // namespace runout

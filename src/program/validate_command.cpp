@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,9 +9,9 @@
 #include "core/printable.h"
 #include "program/answer.h"
 #include "program/command.h"
+#include "program/common_options.h"
 #include "program/interrupt.h"
-#include "program/jobs_option.h"
-#include "program/output_option.h"
+#include "program/log.h"
 #include "program/patient_store.h"
 #include "report/page/validation_page.h"
 #include "store/store.h"
@@ -36,10 +35,6 @@ struct ValidateArguments {
     bool quiet = false;
 };
 
-InputPlace argument(const std::string& option, const std::string& value) {
-    return {.file = option, .line = 0, .key = {}, .value = value};
-}
-
 std::string known_names() {
     std::string names;
     for (const ValidationCase& item : validation_cases()) {
@@ -56,7 +51,7 @@ std::vector<ValidationCase> chosen_cases(const std::vector<std::string>& names) 
         const auto found =
             std::ranges::find_if(all, [&](const ValidationCase& item) { return name == item.name; });
         if (found == all.end())
-            throw InputError(argument("validate", name), "is not a case of the suite",
+            throw InputError(option_place("validate", name), "is not a case of the suite",
                              "valid: " + known_names());
         chosen.push_back(*found);
     }
@@ -81,7 +76,7 @@ OutputRules rules_of(const ValidateArguments& arguments) {
 /// What would only be found out after all runs.
 void check_places(const ValidateArguments& arguments) {
     if (!fs::is_directory(arguments.cases))
-        throw InputError(argument("--cases", arguments.cases), "is not a folder",
+        throw InputError(option_place("--cases", arguments.cases), "is not a folder",
                          "give the folder of cases that comes with the program");
     if (arguments.page.empty()) return;
     check_output_place(arguments.page, "--output", Folder::exists, arguments.rules);
@@ -111,7 +106,7 @@ bool all_within_bands(const std::vector<CaseReport>& reports) {
 }
 
 int validate(ValidateArguments arguments) {
-    if (arguments.quiet) spdlog::set_level(spdlog::level::err);
+    if (arguments.quiet) log_errors_only();
     const std::vector<ValidationCase> cases = chosen_cases(arguments.names);
     arguments.rules = rules_of(arguments);
     check_places(arguments);
@@ -125,11 +120,11 @@ int validate(ValidateArguments arguments) {
     options.jobs = arguments.jobs;
     options.interrupt = &interrupt.requested();
     options.on_run = [](int done, int total, const std::string& name) {
-        spdlog::info("{} of {} runs: {}", done, total, name);
+        log_info("{} of {} runs: {}", done, total, name);
     };
     const std::vector<CaseReport> reports = run_suite(cases, store, options);
     if (reports.empty()) {
-        spdlog::warn("interrupted; finished runs are in {} and will not be repeated", arguments.database);
+        log_warning("interrupted; finished runs are in {} and will not be repeated", arguments.database);
         return exit_code::interrupted;
     }
     print_text(validation_table(reports));
@@ -139,25 +134,20 @@ int validate(ValidateArguments arguments) {
 
 }  // namespace
 
-void add_validate_command(CLI::App& app, Command& command) {
+void add_validate_command(CommandLine& program) {
     const auto arguments = std::make_shared<ValidateArguments>();
-    CLI::App* sub = app.add_subcommand(
+    Command command = program.add_command(
         "validate", "Hold the program against exact mechanics, the paper and laboratory measurements");
-    sub->add_option("NAME", arguments->names, "Cases of the suite; all if none is named")->type_name("");
-    sub->add_flag("--quick", arguments->quick, "The part of the suite that takes minutes");
-    sub->add_option("--cases", arguments->cases, "Folder of the cases")
-        ->type_name("PATH")
-        ->capture_default_str();
-    sub->add_option("--db", arguments->database,
-                    "Database that takes the runs; what it holds is not repeated")
-        ->type_name("PATH")
-        ->capture_default_str();
-    sub->add_option("-o,--output", arguments->page, "Write a Markdown page, with pictures beside it")
-        ->type_name("PATH");
-    add_overwrite_option(*sub, arguments->rules);
-    add_jobs_option(*sub, arguments->jobs);
-    sub->add_flag("--quiet", arguments->quiet, "No log but errors");
-    sub->callback([arguments, &command] { command = [arguments] { return validate(*arguments); }; });
+    command.add_option("NAME", &arguments->names, "Cases of the suite; all if none is named").value_name("");
+    command.add_flag("--quick", &arguments->quick, "The part of the suite that takes minutes");
+    command.add_option("--cases", &arguments->cases, "Folder of the cases").value_name("PATH").show_default();
+    add_database_option(command, arguments->database);
+    command.add_option("-o,--output", &arguments->page, "Write a Markdown page, with pictures beside it")
+        .value_name("PATH");
+    add_overwrite_option(command, arguments->rules);
+    add_jobs_option(command, arguments->jobs);
+    command.add_flag("--quiet", &arguments->quiet, "No log but errors");
+    command.set_work([arguments] { return validate(*arguments); });
 }
 
 }  // namespace runout

@@ -45,6 +45,29 @@ constexpr std::array stage = {
     RealColumn<StageRow>{"run_out_m", &StageRow::run_out_m},
 };
 
+constexpr std::array gauge = {
+    RealColumn<GaugeRecord>{"chainage_m", &GaugeRecord::chainage_m},
+    RealColumn<GaugeRecord>{"arrival_time_s", &GaugeRecord::arrival_time_s},
+    RealColumn<GaugeRecord>{"greatest_thickness_m", &GaugeRecord::greatest_thickness_m},
+    RealColumn<GaugeRecord>{"greatest_speed_m_s", &GaugeRecord::greatest_speed_m_s},
+    RealColumn<GaugeRecord>{"greatest_kinetic_head_m", &GaugeRecord::greatest_kinetic_head_m},
+    RealColumn<GaugeRecord>{"passed_area_m2", &GaugeRecord::passed_area_m2},
+};
+
+constexpr std::array barrier = {
+    RealColumn<BarrierRecord>{"arrival_time_s", &BarrierRecord::arrival_time_s},
+    RealColumn<BarrierRecord>{"greatest_force_n_m", &BarrierRecord::greatest_force_n_m},
+    RealColumn<BarrierRecord>{"greatest_force_time_s", &BarrierRecord::greatest_force_time_s},
+    RealColumn<BarrierRecord>{"greatest_moment_n", &BarrierRecord::greatest_moment_n},
+    RealColumn<BarrierRecord>{"impulse_n_s_m", &BarrierRecord::impulse_n_s_m},
+    RealColumn<BarrierRecord>{"last_force_n_m", &BarrierRecord::last_force_n_m},
+    RealColumn<BarrierRecord>{"run_up_m", &BarrierRecord::run_up_m},
+    RealColumn<BarrierRecord>{"overtopped_area_m2", &BarrierRecord::overtopped_area_m2},
+    RealColumn<BarrierRecord>{"approach_speed_m_s", &BarrierRecord::approach_speed_m_s},
+    RealColumn<BarrierRecord>{"approach_thickness_m", &BarrierRecord::approach_thickness_m},
+    RealColumn<BarrierRecord>{"design_force_n_m", &BarrierRecord::design_force_n_m},
+};
+
 constexpr std::array frame_scale = {
     RealColumn<FrameScale>{"time_s", &FrameScale::time_s},
     RealColumn<FrameScale>{"x_low_m", &FrameScale::x_low_m},
@@ -94,6 +117,9 @@ constexpr std::array snapshot = {
 static_assert(sizeof(SeriesRow) == series.size() * sizeof(double));
 static_assert(sizeof(DepositRow) == deposit.size() * sizeof(double));
 static_assert(sizeof(StageRow) == stage.size() * sizeof(double));
+static_assert(sizeof(GaugeRecord) ==
+              gauge.size() * sizeof(double) + sizeof(std::string) + sizeof(std::vector<GaugeRow>));
+static_assert(sizeof(BarrierRecord) == barrier.size() * sizeof(double) + sizeof(std::vector<BarrierRow>));
 static_assert(sizeof(FrameScale) == frame_scale.size() * sizeof(double));
 static_assert(sizeof(PilotRow) == pilot.size() * sizeof(double));
 static_assert(sizeof(Appraisal) ==
@@ -113,6 +139,12 @@ std::span<const RealColumn<DepositRow>> deposit_columns() {
 }
 std::span<const RealColumn<StageRow>> stage_columns() {
     return stage;
+}
+std::span<const RealColumn<GaugeRecord>> gauge_columns() {
+    return gauge;
+}
+std::span<const RealColumn<BarrierRecord>> barrier_columns() {
+    return barrier;
 }
 std::span<const RealColumn<FrameScale>> frame_scale_columns() {
     return frame_scale;

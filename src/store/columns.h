@@ -27,6 +27,8 @@ struct RealColumn {
 std::span<const RealColumn<SeriesRow>> series_columns();
 std::span<const RealColumn<DepositRow>> deposit_columns();
 std::span<const RealColumn<StageRow>> stage_columns();
+std::span<const RealColumn<GaugeRecord>> gauge_columns();
+std::span<const RealColumn<BarrierRecord>> barrier_columns();
 std::span<const RealColumn<FrameScale>> frame_scale_columns();
 std::span<const RealColumn<PilotRow>> pilot_columns();
 std::span<const RealColumn<Appraisal>> appraisal_numbers();

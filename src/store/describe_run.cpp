@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <thread>
+#include <variant>
 
 #include "core/machine.h"
 #include "core/units.h"
 #include "core/version.h"
+#include "store/columns.h"
 #include "store/store.h"
 
 namespace runout {
@@ -35,6 +39,32 @@ void describe_section(StoredRun& run, const Profile& profile) {
     run.crest_origin = profile.crest_given ? "given" : "found";
     run.section_read_as = profile.read_as;
     run.section_doubts = fmt::format("{}", fmt::join(profile.doubts, "\n"));
+}
+
+/// The database has no negative zero, and an infinity that is read of it is no number.
+void make_as_read(double& number) {
+    number = std::isfinite(number) ? number + 0.0 : std::numeric_limits<double>::quiet_NaN();
+}
+
+template <class Record, class Columns>
+void make_as_read(Record& record, const Columns& columns) {
+    for (const auto& column : columns) make_as_read(record.*column.value);
+}
+
+/// What is told of a run is to be what is read of it later.
+void make_as_read(StoredRun& run) {
+    for (double* number :
+         {&run.discontinuity_angle_deg, &run.slope_angle_deg, &run.toe_chainage_m, &run.toe_elevation_m,
+          &run.crest_chainage_m, &run.face_height_m, &run.friction_angle_deg})
+        make_as_read(*number);
+    make_as_read(run.measures, measure_fields());
+    make_as_read(run.appraisal, appraisal_numbers());
+    for (const WorkColumn& column : work_columns())
+        if (const auto* member = std::get_if<double RunWork::*>(&column.member))
+            make_as_read(run.work.**member);
+    for (EffectRow& effect : run.effects) make_as_read(effect.cost_s);
+    for (GaugeRecord& gauge : run.gauges) make_as_read(gauge, gauge_columns());
+    for (BarrierRecord& barrier : run.barriers) make_as_read(barrier, barrier_columns());
 }
 
 }  // namespace
@@ -66,6 +96,7 @@ StoredRun describe_run(const Scene& scene, const RunResult& result, const Apprai
     run.barriers = result.barriers;
     run.machine = machine_description();
     run.appraisal = appraisal;
+    make_as_read(run);
     return run;
 }
 

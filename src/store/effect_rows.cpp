@@ -1,15 +1,12 @@
 #include "store/effect_rows.h"
 
-#include <SQLiteCpp/Column.h>
-#include <SQLiteCpp/Database.h>
-#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/VariadicBind.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "scene/effect_settings.h"
-#include "store/real_value.h"
+#include "store/column_rows.h"
 
 namespace runout {
 namespace {
@@ -26,13 +23,13 @@ void insert(Statement& statement, const Values&... values) {
 }
 
 void insert_gauge(Database& database, long run_id, long index, const GaugeRecord& gauge) {
-    Statement whole(
-        database,
-        "INSERT INTO gauge (run_id, gauge_index, name, chainage_m, arrival_time_s, greatest_thickness_m,"
-        " greatest_speed_m_s, greatest_kinetic_head_m, passed_area_m2) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    insert(whole, run_id, index, gauge.name, gauge.chainage_m, gauge.arrival_time_s,
-           gauge.greatest_thickness_m, gauge.greatest_speed_m_s, gauge.greatest_kinetic_head_m,
-           gauge.passed_area_m2);
+    std::vector<std::string> names = {"run_id", "gauge_index", "name"};
+    append_names(names, gauge_columns());
+    Statement whole(database, insert_sql("gauge", names));
+    SQLite::bind(whole, run_id, index, gauge.name);
+    int place = 3;
+    bind_numbers(whole, place, gauge, gauge_columns());
+    whole.exec();
     Statement row(database,
                   "INSERT INTO gauge_series (run_id, gauge_index, row_index, time_s, thickness_m, speed_m_s,"
                   " kinetic_head_m, passed_area_m2) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
@@ -43,14 +40,13 @@ void insert_gauge(Database& database, long run_id, long index, const GaugeRecord
 }
 
 void insert_barrier(Database& database, long run_id, const BarrierRecord& b) {
-    Statement whole(database,
-                    "INSERT INTO barrier (run_id, arrival_time_s, greatest_force_n_m, greatest_force_time_s,"
-                    " greatest_moment_n, impulse_n_s_m, last_force_n_m, run_up_m, overtopped_area_m2,"
-                    " approach_speed_m_s, approach_thickness_m, design_force_n_m)"
-                    " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    insert(whole, run_id, b.arrival_time_s, b.greatest_force_n_m, b.greatest_force_time_s,
-           b.greatest_moment_n, b.impulse_n_s_m, b.last_force_n_m, b.run_up_m, b.overtopped_area_m2,
-           b.approach_speed_m_s, b.approach_thickness_m, b.design_force_n_m);
+    std::vector<std::string> names = {"run_id"};
+    append_names(names, barrier_columns());
+    Statement whole(database, insert_sql("barrier", names));
+    whole.bind(1, run_id);
+    int place = 1;
+    bind_numbers(whole, place, b, barrier_columns());
+    whole.exec();
     Statement row(database,
                   "INSERT INTO barrier_series (run_id, row_index, time_s, force_x_n_m, force_y_n_m, moment_n,"
                   " impulse_x_n_s_m) VALUES (?, ?, ?, ?, ?, ?, ?)");
@@ -73,17 +69,18 @@ std::vector<GaugeRow> select_gauge_rows(Database& database, long run_id, long ga
 }
 
 void select_gauges(Database& database, StoredRun& run) {
-    Statement whole(
-        database,
-        "SELECT name, chainage_m, arrival_time_s, greatest_thickness_m, greatest_speed_m_s,"
-        " greatest_kinetic_head_m, passed_area_m2 FROM gauge WHERE run_id = ? ORDER BY gauge_index");
+    std::vector<std::string> names = {"name"};
+    append_names(names, gauge_columns());
+    Statement whole(database, fmt::format("SELECT {} FROM gauge WHERE run_id = ? ORDER BY gauge_index",
+                                          fmt::join(names, ", ")));
     whole.bind(1, run.run_id);
     while (whole.executeStep()) {
         const long index = static_cast<long>(run.gauges.size());
-        run.gauges.push_back(
-            {whole.getColumn(0).getString(), real_value(whole.getColumn(1)), real_value(whole.getColumn(2)),
-             real_value(whole.getColumn(3)), real_value(whole.getColumn(4)), real_value(whole.getColumn(5)),
-             real_value(whole.getColumn(6)), select_gauge_rows(database, run.run_id, index)});
+        GaugeRecord& gauge = run.gauges.emplace_back();
+        gauge.name = whole.getColumn(0).getString();
+        int place = 1;
+        read_numbers(whole, place, gauge, gauge_columns());
+        gauge.rows = select_gauge_rows(database, run.run_id, index);
     }
 }
 
@@ -101,16 +98,15 @@ std::vector<BarrierRow> select_barrier_rows(Database& database, long run_id) {
 }
 
 void select_barrier(Database& database, StoredRun& run) {
-    Statement whole(database,
-                    "SELECT arrival_time_s, greatest_force_n_m, greatest_force_time_s, greatest_moment_n,"
-                    " impulse_n_s_m, last_force_n_m, run_up_m, overtopped_area_m2, approach_speed_m_s,"
-                    " approach_thickness_m, design_force_n_m FROM barrier WHERE run_id = ?");
+    std::vector<std::string> names;
+    append_names(names, barrier_columns());
+    Statement whole(database, fmt::format("SELECT {} FROM barrier WHERE run_id = ?", fmt::join(names, ", ")));
     whole.bind(1, run.run_id);
     while (whole.executeStep()) {
-        const auto value = [&](int column) { return real_value(whole.getColumn(column)); };
-        run.barriers.push_back({value(0), value(1), value(2), value(3), value(4), value(5), value(6),
-                                value(7), value(8), value(9), value(10),
-                                select_barrier_rows(database, run.run_id)});
+        BarrierRecord& barrier = run.barriers.emplace_back();
+        int place = 0;
+        read_numbers(whole, place, barrier, barrier_columns());
+        barrier.rows = select_barrier_rows(database, run.run_id);
     }
 }
 
@@ -153,18 +149,18 @@ void insert_effect_settings(Database& database, long scenario_id, const Scene& s
         insert(statement, scenario_id, i++, setting.effect, setting.key, setting.value);
 }
 
-void insert_effects(Database& database, long run_id, const RunResult& result) {
+void insert_effects(Database& database, long run_id, const StoredRun& run) {
     Statement effect(
         database, "INSERT INTO run_effect (run_id, row_index, effect, why, cost_s) VALUES (?, ?, ?, ?, ?)");
     long i = 0;
-    for (const EffectRow& row : result.effects)
+    for (const EffectRow& row : run.effects)
         if (row.on) insert(effect, run_id, i++, row.name, row.why, row.cost_s);
     Statement advice(database, "INSERT INTO advice (run_id, row_index, sentence) VALUES (?, ?, ?)");
     i = 0;
-    for (const std::string& sentence : result.advice) insert(advice, run_id, i++, sentence);
+    for (const std::string& sentence : run.advice) insert(advice, run_id, i++, sentence);
     i = 0;
-    for (const GaugeRecord& gauge : result.gauges) insert_gauge(database, run_id, i++, gauge);
-    for (const BarrierRecord& barrier : result.barriers) insert_barrier(database, run_id, barrier);
+    for (const GaugeRecord& gauge : run.gauges) insert_gauge(database, run_id, i++, gauge);
+    for (const BarrierRecord& barrier : run.barriers) insert_barrier(database, run_id, barrier);
 }
 
 void select_effects(Database& database, StoredRun& run) {

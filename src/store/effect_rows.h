@@ -13,7 +13,7 @@ namespace runout {
 void insert_effect_settings(SQLite::Database& database, long scenario_id, const Scene& scene);
 
 /// Adds effects, advice, gauges and barrier of a run. Call it within the run's transaction.
-void insert_effects(SQLite::Database& database, long run_id, const RunResult& result);
+void insert_effects(SQLite::Database& database, long run_id, const StoredRun& run);
 
 /// Reads the same back.
 void select_effects(SQLite::Database& database, StoredRun& run);

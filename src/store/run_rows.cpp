@@ -1,19 +1,14 @@
 #include "store/run_rows.h"
 
-#include <SQLiteCpp/Column.h>
-#include <SQLiteCpp/Database.h>
-#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/VariadicBind.h>
-#include <fmt/ranges.h>
 
 #include <array>
 #include <bit>
 #include <cstring>
-#include <limits>
 #include <stdexcept>
 #include <type_traits>
 
-#include "store/columns.h"
+#include "store/column_rows.h"
 #include "store/known_tables.h"
 #include "store/real_value.h"
 #include "store/run_places.h"
@@ -23,18 +18,6 @@ namespace {
 
 using SQLite::Database;
 using SQLite::Statement;
-
-/// "INSERT INTO table (a, b) VALUES (?, ?)"
-std::string insert_sql(const char* table, const std::vector<std::string>& columns) {
-    const std::vector<std::string> places(columns.size(), "?");
-    return fmt::format("INSERT INTO {} ({}) VALUES ({})", table, fmt::join(columns, ", "),
-                       fmt::join(places, ", "));
-}
-
-template <class Columns>
-void append_names(std::vector<std::string>& names, const Columns& columns) {
-    for (const auto& column : columns) names.emplace_back(column.name);
-}
 
 /// Words of StoredRun by their column of the table `run`, status apart.
 struct TextColumn {
@@ -75,13 +58,12 @@ void read_work(const Statement& statement, int& place, RunWork& work) {
 }
 
 void bind_appraisal(Statement& statement, int& place, const Appraisal& appraisal) {
-    for (const auto& column : appraisal_numbers()) statement.bind(++place, appraisal.*column.value);
+    bind_numbers(statement, place, appraisal, appraisal_numbers());
     for (const auto& column : appraisal_texts()) statement.bind(++place, appraisal.*column.value);
 }
 
 void read_appraisal(const Statement& statement, int& place, Appraisal& appraisal) {
-    for (const auto& column : appraisal_numbers())
-        appraisal.*column.value = real_value(statement.getColumn(place++));
+    read_numbers(statement, place, appraisal, appraisal_numbers());
     for (const auto& column : appraisal_texts())
         appraisal.*column.value = statement.getColumn(place++).getString();
 }
@@ -105,7 +87,7 @@ void insert_rows(Database& database, const char* table, long run_id, const std::
         int place = 0;
         statement.bind(++place, run_id);
         statement.bind(++place, static_cast<long>(i));
-        for (const auto& column : columns) statement.bind(++place, rows[i].*column.value);
+        bind_numbers(statement, place, rows[i], columns);
         statement.exec();
         statement.reset();
     }
@@ -123,7 +105,7 @@ std::vector<Row> select_rows(Database& database, const char* table, long run_id,
     while (statement.executeStep()) {
         Row row;
         int place = 0;
-        for (const auto& column : columns) row.*column.value = real_value(statement.getColumn(place++));
+        read_numbers(statement, place, row, columns);
         rows.push_back(row);
     }
     return rows;

@@ -71,20 +71,24 @@ Store::~Store() = default;
 
 long Store::add(const Scene& scene, const RunResult& result, const Appraisal& appraisal,
                 const std::vector<PilotRow>& pilots) {
-    if (result.status == RunStatus::running) throw std::logic_error("Store::add of a run that has not ended");
+    return add({scene, result, describe_run(scene, result, appraisal), pilots});
+}
+
+long Store::add(const EndedRun& run) {
+    if (run.result.status == RunStatus::running)
+        throw std::logic_error("Store::add of a run that has not ended");
     return impl_->write([&](SQLite::Database& database) {
-        const long run_id =
-            insert_run(database, scenario_row(database, scene), describe_run(scene, result, appraisal));
-        if (scene.profile.map_line) set_map_line(database, run_id, *scene.profile.map_line);
-        insert_series(database, run_id, result.series);
-        insert_deposit(database, run_id, result.deposit);
-        insert_snapshots(database, run_id, result.snapshots);
-        insert_frames(database, run_id, result.frames);
-        insert_stages(database, run_id, result.stages);
-        insert_phases(database, run_id, result.phases);
-        insert_effects(database, run_id, result);
-        insert_invariants(database, run_id, result.invariants);
-        insert_pilots(database, run_id, pilots);
+        const long run_id = insert_run(database, scenario_row(database, run.scene), run.description);
+        if (run.scene.profile.map_line) set_map_line(database, run_id, *run.scene.profile.map_line);
+        insert_series(database, run_id, run.result.series);
+        insert_deposit(database, run_id, run.result.deposit);
+        insert_snapshots(database, run_id, run.result.snapshots);
+        insert_frames(database, run_id, run.result.frames);
+        insert_stages(database, run_id, run.result.stages);
+        insert_phases(database, run_id, run.result.phases);
+        insert_effects(database, run_id, run.description);
+        insert_invariants(database, run_id, run.result.invariants);
+        insert_pilots(database, run_id, run.pilots);
         return run_id;
     });
 }

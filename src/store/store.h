@@ -120,9 +120,17 @@ struct StoredTable {
     std::vector<std::vector<StoredValue>> rows;
 };
 
-/// The run that has just ended, by this program on this machine, as `Store::add` writes it. For telling the
-/// result when there is no database, or when it could not be written.
+/// The run that has just ended, by this program on this machine. It is what `Store::add` writes and what is
+/// told of the run; what is read of it later is equal to the bit, the id apart.
 StoredRun describe_run(const Scene& scene, const RunResult& result, const Appraisal& appraisal = {});
+
+/// A run that has ended, with all that is stored of it.
+struct EndedRun {
+    const Scene& scene;
+    const RunResult& result;
+    const StoredRun& description;  ///< of this result, by describe_run
+    const std::vector<PilotRow>& pilots;
+};
 
 /// One run of a study of what accuracy costs.
 struct LadderRun {
@@ -194,6 +202,8 @@ class Store {
 
     /// Stores a run that has ended and returns its id. Throws InputError when the disk does not let it; the
     /// database is then as before.
+    long add(const EndedRun& run);
+    /// Describes the run and stores it, for those who tell nothing of it.
     long add(const Scene& scene, const RunResult& result, const Appraisal& appraisal = {},
              const std::vector<PilotRow>& pilots = {});
     /// Stores a study whose runs are stored, and returns its id.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry.h"
+#include "core/figure.h"
 
 namespace runout {
 
@@ -34,25 +34,6 @@ struct ValidationEntry {
 double deviation(const ValidationEntry& entry);
 /// False also when the computed number does not exist. True where nothing is asked.
 bool within_band(const ValidationEntry& entry);
-
-/// Points of one curve of a figure, in its units.
-struct Curve {
-    enum class Style { line, dashed, markers, area };  ///< area: a closed polygon, filled
-    std::string label{};
-    Style style = Style::line;
-    std::vector<Vec2> points{};
-};
-
-/// A chart of the validation page.
-struct Figure {
-    std::string name{};  ///< stem of its file, unique in the case: "profile"
-    std::string title{};
-    std::string x_label{}, y_label{};  ///< with units
-    std::vector<Curve> curves{};
-    bool equal_scales = false;  ///< one metre is as long on both axes
-    bool logarithmic_x = false;
-    bool logarithmic_y = false;
-};
 
 /// What validation says of one case.
 struct CaseReport {

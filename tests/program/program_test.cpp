@@ -109,6 +109,17 @@ TEST_F(ProgramTest, RunsACaseAndStoresIt) {
     EXPECT_EQ(stored[0].run_id, run["run_id"].get<long>());
 }
 
+TEST_F(ProgramTest, WhatARunPrintsIsWhatTheTableSaysOfItLater) {
+    const Outcome outcome = runout({"run", "case.toml", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json printed = Json::parse(outcome.out);
+    const Json table = Json::parse(runout({"table", "runout.db", "--format", "json"}).out);
+    ASSERT_EQ(table.size(), 1u);
+    EXPECT_GT(table[0].size(), 50u);
+    for (const auto& [name, value] : table[0].items())
+        EXPECT_EQ(printed.at(name).dump(), value.dump()) << name;
+}
+
 TEST_F(ProgramTest, SaysTheAnswerInWordsOnStandardOutputAndTheRestOnStandardError) {
     // Fine enough that it takes a while, which is when progress is told.
     const Outcome outcome = runout({"run", "case.toml", "--resolution", "30"});

@@ -7,7 +7,6 @@
 
 #include "example_run.h"
 #include "report/text/table.h"
-#include "report/text/time_table.h"
 #include "store/columns.h"
 
 namespace runout {

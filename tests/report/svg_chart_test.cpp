@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <regex>
 #include <set>
 
@@ -12,7 +13,7 @@
 namespace runout {
 namespace {
 
-constexpr double nan = ValidationEntry::none;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "core/figure.h"
 #include "scene/scene.h"
-#include "validation/entry.h"
 
 namespace runout {
 

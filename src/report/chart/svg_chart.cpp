@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "report/chart/axis.h"
 #include "report/chart/curve_pen.h"
@@ -146,7 +147,7 @@ std::string curves(const Figure& figure, const Plot& plot, const std::vector<Pen
             for (const Vec2& point : figure.curves[i].points)
                 points.emplace_back(can_be_drawn(figure, point)
                                         ? Vec2(plot.at_x(point.x()), plot.at_y(point.y()))
-                                        : Vec2::Constant(ValidationEntry::none));
+                                        : Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
             text += drawn(pens[i], points, "curve");
         }
     return text;

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "validation/entry.h"
+#include "core/figure.h"
 
 namespace runout {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "validation/entry.h"
+#include "core/figure.h"
 
 namespace runout {
 

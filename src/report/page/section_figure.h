@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/figure.h"
 #include "report/page/run_data.h"
-#include "validation/entry.h"
 
 namespace runout {
 

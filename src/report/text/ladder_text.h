@@ -7,7 +7,7 @@
 #include "accuracy/ladder.h"
 #include "accuracy/methods.h"
 #include "accuracy/price.h"
-#include "validation/entry.h"
+#include "core/figure.h"
 
 namespace runout {
 

@@ -2,10 +2,13 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <type_traits>
+#include <utility>
 
 #include "report/text/run_columns.h"
 #include "report/text/table.h"
+#include "store/columns.h"
 
 namespace runout {
 namespace {
@@ -36,31 +39,25 @@ Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+template <class Record>
+void append_numbers(Json& object, const Record& record, std::span<const RealColumn<Record>> columns) {
+    for (const RealColumn<Record>& column : columns) object[column.name] = number(record.*column.value);
+}
+
 Json gauges_json(const StoredRun& run) {
     Json gauges = Json::array();
-    for (const GaugeRecord& gauge : run.gauges)
-        gauges.push_back({{"name", gauge.name},
-                          {"chainage_m", number(gauge.chainage_m)},
-                          {"arrival_time_s", number(gauge.arrival_time_s)},
-                          {"greatest_thickness_m", number(gauge.greatest_thickness_m)},
-                          {"greatest_speed_m_s", number(gauge.greatest_speed_m_s)},
-                          {"greatest_kinetic_head_m", number(gauge.greatest_kinetic_head_m)},
-                          {"passed_area_m2", number(gauge.passed_area_m2)}});
+    for (const GaugeRecord& gauge : run.gauges) {
+        Json object = {{"name", gauge.name}};
+        append_numbers(object, gauge, gauge_columns());
+        gauges.push_back(std::move(object));
+    }
     return gauges;
 }
 
 Json barrier_json(const BarrierRecord& barrier) {
-    return {{"arrival_time_s", number(barrier.arrival_time_s)},
-            {"greatest_force_n_m", number(barrier.greatest_force_n_m)},
-            {"greatest_force_time_s", number(barrier.greatest_force_time_s)},
-            {"greatest_moment_n", number(barrier.greatest_moment_n)},
-            {"impulse_n_s_m", number(barrier.impulse_n_s_m)},
-            {"last_force_n_m", number(barrier.last_force_n_m)},
-            {"run_up_m", number(barrier.run_up_m)},
-            {"overtopped_area_m2", number(barrier.overtopped_area_m2)},
-            {"approach_speed_m_s", number(barrier.approach_speed_m_s)},
-            {"approach_thickness_m", number(barrier.approach_thickness_m)},
-            {"design_force_n_m", number(barrier.design_force_n_m)}};
+    Json object = Json::object();
+    append_numbers(object, barrier, barrier_columns());
+    return object;
 }
 
 /// A run that is looked at by itself also says what its effects did.

@@ -22,6 +22,10 @@ std::string run_json(const StoredRun& run);
 /// A few lines for people: how far, how thick, how sure, how long it took.
 std::string run_summary(const StoredRun& run);
 
+/// Seconds of wall time in each phase of a run's steps and their share of the whole, a line each, for people.
+/// Empty where no time was taken.
+std::string time_table(const std::vector<PhaseTime>& phases);
+
 /// What speaks against the toe and crest that a run counts from, a sentence each.
 std::vector<std::string> section_doubts(const StoredRun& run);
 
