@@ -17,7 +17,7 @@ inline Scene polygon(const std::vector<Vec2>& section, const std::vector<Vec2>& 
     scene.profile = make_profile({section, lines, "test"}, {});
     SourceSpec spec;
     spec.type = SourceType::polygon;
-    spec.points = outline;
+    spec.points = section_points(outline);
     scene.source = derive_source(scene.profile, spec);
     scene.material.density = 2079.5;
     scene.material.friction_angle = radians(friction_angle_deg);

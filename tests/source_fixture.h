@@ -62,10 +62,11 @@ inline SourceSpec box(double length, double thickness) {
     return spec;
 }
 
+/// `points` are (chainage, elevation).
 inline SourceSpec free_shape(SourceType type, const std::vector<Vec2>& points) {
     SourceSpec spec;
     spec.type = type;
-    spec.points = points;
+    spec.points = section_points(points);
     return spec;
 }
 

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <compare>
 #include <limits>
+#include <vector>
+
+#include "core/geometry.h"
 
 namespace runout {
 
@@ -36,5 +39,13 @@ struct SectionPoint {
 
     friend constexpr bool operator==(const SectionPoint&, const SectionPoint&) = default;
 };
+
+/// Of pairs (chainage, elevation), as files and drawings have them.
+inline std::vector<SectionPoint> section_points(const std::vector<Vec2>& pairs) {
+    std::vector<SectionPoint> points;
+    points.reserve(pairs.size());
+    for (const Vec2& pair : pairs) points.emplace_back(pair.x(), pair.y());
+    return points;
+}
 
 }  // namespace runout

@@ -144,11 +144,13 @@ SectionContent section_of_drawing(const Drawing& drawing, const DrawingOptions& 
     section.points = joined(ground, roles.ground, Course::open);
     check_elevations(section);
     if (!roles.source.empty()) {
-        content.mass.outline = joined(lines_of(drawing, roles.source), roles.source, Course::closed);
+        content.mass.outline =
+            section_points(joined(lines_of(drawing, roles.source), roles.source, Course::closed));
         content.mass.outline_from = from(roles.source);
     }
     if (!roles.slip.empty()) {
-        content.mass.slip_line = joined(lines_of(drawing, roles.slip), roles.slip, Course::open);
+        content.mass.slip_line =
+            section_points(joined(lines_of(drawing, roles.slip), roles.slip, Course::open));
         content.mass.slip_line_from = from(roles.slip);
     }
     return content;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "core/section_point.h"
 #include "gis/drawing.h"
 #include "profile/section_points.h"
 
@@ -13,11 +15,11 @@ struct DrawingOptions {
     std::string unit{};    ///< replaces what the drawing says
 };
 
-/// A mass that is drawn with its section; points are (chainage, elevation), m.
+/// A mass that is drawn with its section.
 struct DrawnMass {
-    Polyline outline{};          ///< closed, the first point not repeated; empty: none is drawn
-    std::string outline_from{};  ///< "layer SOURCE of section.dxf"
-    Polyline slip_line{};        ///< from end to end; empty: none is drawn
+    std::vector<SectionPoint> outline{};    ///< closed, the first point not repeated; empty: none is drawn
+    std::string outline_from{};             ///< "layer SOURCE of section.dxf"
+    std::vector<SectionPoint> slip_line{};  ///< from end to end; empty: none is drawn
     std::string slip_line_from{};
 };
 

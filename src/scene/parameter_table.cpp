@@ -184,7 +184,7 @@ std::vector<Parameter> source_place_parameters() {
         points("source.points", "required for polygon and slip_surface",
                "Corners of the polygon, or the slip line from end to end: [[chainage, elevation], ...] as "
                "in the section file.",
-               [](CaseSpec& spec, const Polyline& corners) { spec.source.points = corners; }),
+               [](CaseSpec& spec, const Polyline& corners) { spec.source.points = section_points(corners); }),
     };
 }
 

@@ -142,7 +142,7 @@ StagedRelease place_release(const CaseSpec& spec, const Site& site) {
         previous = later.time;
         SourceSpec shape;
         shape.type = SourceType::polygon;
-        shape.points = later.mass.outline;
+        shape.points = section_points(later.mass.outline);  // not placed yet
         shape.places = {{"source.points", spec.place("effects.release.mass.points")}};
         const Source source = derive_source(ground, shape);
         check_taken_once(spec, site, ground.ground, source.outline,

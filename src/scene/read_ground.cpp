@@ -100,7 +100,7 @@ SourceSpec with_drawn_mass(const CaseSpec& spec, const DrawnMass& mass, std::vec
     }
     if (!takes_points(source.type)) return source;
     const bool outline = row_of(source.type).placement == Placement::by_outline;
-    const Polyline& points = outline ? mass.outline : mass.slip_line;
+    const std::vector<SectionPoint>& points = outline ? mass.outline : mass.slip_line;
     if (points.empty()) return source;
     source.points = points;
     assumed.push_back(fmt::format("source.points = the {} points of {}", points.size(),

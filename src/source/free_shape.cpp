@@ -24,7 +24,7 @@ double contact_tolerance(double area) {
 
 std::vector<Vec2> local_points(const Profile& profile, const SourceSpec& spec) {
     std::vector<Vec2> points;
-    for (const Vec2& p : spec.points) points.push_back(profile.to_local({p.x(), p.y()}));
+    for (const SectionPoint& p : spec.points) points.push_back(profile.to_local(p));
     const double left = profile.ground.front().x();
     const double right = profile.ground.back().x();
     // A decimal may miss the end of the section by its rounding.

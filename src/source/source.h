@@ -7,6 +7,7 @@
 
 #include "core/geometry.h"
 #include "core/input_error.h"
+#include "core/section_point.h"
 #include "core/units.h"
 #include "profile/profile.h"
 
@@ -34,7 +35,7 @@ struct SourceSpec {
     double drop_height = unset;  ///< H_d above the toe, m, to the point named by `datum`
     DropDatum datum = DropDatum::head;
     double discontinuity_angle = radians(55.0);  ///< theta_id
-    std::vector<Vec2> points;  ///< polygon corners, or slip line from end to end; (chainage, elevation)
+    std::vector<SectionPoint> points;            ///< polygon corners, or slip line from end to end
 
     /// Where each key stands ("source.height_m" -> file, line, value as written), for error messages. A key
     /// that is not listed is named without file and line, its value printed in the units of the case file.

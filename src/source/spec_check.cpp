@@ -89,8 +89,9 @@ void check_points(const SourceSpec& spec) {
     if (spec.points.size() < least)
         refuse(spec, points_key, fmt::format("has {} points", spec.points.size()),
                fmt::format("a {} needs at least {} of [chainage, elevation]", type, least));
-    for (const Vec2& p : spec.points)
-        if (!p.allFinite() || p.cwiseAbs().maxCoeff() > greatest_size)
+    const auto is_sound = [](double metres) { return std::abs(metres) <= greatest_size; };
+    for (const SectionPoint& p : spec.points)
+        if (!is_sound(p.chainage.m) || !is_sound(p.elevation))
             refuse(spec, points_key, "has a coordinate that is not finite or beyond 1e8 m",
                    "give metres, such as [12.5, 3.0]");
 }

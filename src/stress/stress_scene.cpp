@@ -85,11 +85,22 @@ Hillside hillside_of(const StressPoint& p, SourceKind kind) {
     return h;
 }
 
-SourceSpec block(double left, double bottom, double width, double height) {
+/// Where the local frame of the hillside lies in the section.
+struct SectionFrame {
+    double offset;
+    double direction;
+
+    Vec2 operator()(const Vec2& local) const { return {offset + direction * local.x(), local.y()}; }
+};
+
+/// A block whose lower left corner and size are given in the local frame.
+SourceSpec block(const SectionFrame& in_section, const Vec2& corner, double width, double height) {
     SourceSpec spec;
     spec.type = SourceType::polygon;
-    spec.points = {
-        {left, bottom}, {left + width, bottom}, {left + width, bottom + height}, {left, bottom + height}};
+    std::vector<Vec2> corners = {corner, corner + Vec2(width, 0), corner + Vec2(width, height),
+                                 corner + Vec2(0, height)};
+    for (Vec2& c : corners) c = in_section(c);
+    spec.points = section_points(corners);
     return spec;
 }
 
@@ -114,8 +125,7 @@ SourceSpec dipping(const StressPoint& p, SourceType type, double dip) {
     return spec;
 }
 
-/// In the local frame: the toe is the origin.
-SourceSpec source_of(const StressPoint& p, SourceKind kind) {
+SourceSpec source_of(const StressPoint& p, SourceKind kind, const SectionFrame& in_section) {
     const double size = p.size_m;
     const double face = radians(p.slope_angle_deg);
     const double dip = p.base_angle_share * face;
@@ -131,9 +141,10 @@ SourceSpec source_of(const StressPoint& p, SourceKind kind) {
         case SourceKind::sliver:
             return dipping(p, SourceType::b, face - sliver_angle * (0.2 + 0.8 * p.base_angle_share));
         case SourceKind::column:
-            return block(0, 0, size / std::sqrt(p.aspect_ratio), size * std::sqrt(p.aspect_ratio));
+            return block(in_section, {0, 0}, size / std::sqrt(p.aspect_ratio),
+                         size * std::sqrt(p.aspect_ratio));
         case SourceKind::falling_block:
-            return block(2 * size, p.drop_height_ratio * size, size, size);
+            return block(in_section, {2 * size, p.drop_height_ratio * size}, size, size);
         case SourceKind::b:
             return dipping(p, SourceType::b, dip);
         case SourceKind::count:
@@ -152,16 +163,12 @@ std::string to_string(SourceKind kind) {
 Scene stress_scene(const StressPoint& p, const std::string& name) {
     const auto kind = chosen<SourceKind>(p.source_kind);
     const Hillside hillside = hillside_of(p, kind);
-    const double direction = p.reversed < 1 ? 1.0 : -1.0;
-    const auto in_section = [&](const Vec2& local) {
-        return Vec2(p.offset_m + direction * local.x(), local.y());
-    };
+    const SectionFrame in_section{p.offset_m, p.reversed < 1 ? 1.0 : -1.0};
 
     std::vector<Vec2> section;
     for (const Vec2& point : ground_of(hillside)) section.push_back(in_section(point));
-    if (direction < 0) std::ranges::reverse(section);
-    SourceSpec spec = source_of(p, kind);
-    for (Vec2& corner : spec.points) corner = in_section(corner);
+    if (in_section.direction < 0) std::ranges::reverse(section);
+    const SourceSpec spec = source_of(p, kind, in_section);
     ProfileOptions options;
     options.toe_chainage = Chainage(p.offset_m);
     options.crest_chainage = Chainage(in_section(ground_of(hillside)[1]).x());

@@ -69,7 +69,8 @@ SourceSpec spec_from(Numbers& numbers) {
     set(7, &SourceSpec::drop_height, numbers.number());
     if (numbers.byte() % 2 == 1) spec.datum = DropDatum::base;
     if (takes_points(spec.type))
-        spec.points = points_from(numbers, numbers.byte() % 12, spec.type == SourceType::slip_surface);
+        spec.points =
+            section_points(points_from(numbers, numbers.byte() % 12, spec.type == SourceType::slip_surface));
     return spec;
 }
 

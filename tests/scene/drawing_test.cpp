@@ -194,7 +194,7 @@ TEST_F(Drawings, ALayerMayHaveACommaInItsName) {
     const DxfText drawing = DxfText().polyline("EG, 2024", cut).polyline("S,x", {{27, 32}, {41.547, 12}});
     const SectionContent read = content(drawing, {.dxf_layers = "ground=EG, 2024,slip=S,x"});
     EXPECT_EQ(read.section.points, cut);
-    EXPECT_EQ(read.mass.slip_line, (Polyline{{27, 32}, {41.547, 12}}));
+    EXPECT_EQ(read.mass.slip_line, (std::vector<SectionPoint>{{27, 32}, {41.547, 12}}));
 }
 
 // ---- units

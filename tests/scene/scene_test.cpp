@@ -28,8 +28,8 @@ TEST_F(SceneTest, ReadsPoints) {
     const CaseSpec spec =
         read_case(write("p.toml", "[source]\ntype = \"polygon\"\npoints = [[0, 0.5],\n  [1.5, 2]]\n"));
     ASSERT_EQ(spec.source.points.size(), 2u);
-    EXPECT_EQ(spec.source.points[0], Vec2(0, 0.5));
-    EXPECT_EQ(spec.source.points[1], Vec2(1.5, 2));
+    EXPECT_EQ(spec.source.points[0], SectionPoint(0, 0.5));
+    EXPECT_EQ(spec.source.points[1], SectionPoint(1.5, 2));
 }
 
 TEST_F(SceneTest, MakesAScene) {

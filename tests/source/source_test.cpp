@@ -179,7 +179,7 @@ TEST(AnySource, MapGridChainagesGiveTheSameSource) {
     for (const SourceSpec& spec : specs) {
         SCOPED_TRACE(to_string(spec.type));
         SourceSpec shifted = spec;
-        for (Vec2& p : shifted.points) p.x() += 8.3e5;
+        for (SectionPoint& p : shifted.points) p.chainage = Chainage(p.chainage.m + 8.3e5);
         const Source a = derive_source(profile_of(section), spec);
         const Source b = derive_source(profile_of(far), shifted);
         ASSERT_EQ(a.outline.size(), b.outline.size());
