@@ -133,7 +133,8 @@ TEST_F(CaseValues, WholeNumbersOfAnySizeAreThemselves) {
     const CaseSpec spec = read_case(
         write("a.toml",
               "[source]\ntype = \"polygon\"\npoints = [[9007199254740993, 0], [1, -9007199254740993]]\n"));
-    EXPECT_EQ(spec.source.points, (std::vector<SectionPoint>{{9007199254740992.0, 0}, {1, -9007199254740992.0}}));
+    EXPECT_EQ(spec.source.points,
+              (std::vector<SectionPoint>{{9007199254740992.0, 0}, {1, -9007199254740992.0}}));
     expect_complaint(complaint("[run]\ngravity_m_s2 = 9007199254740993\n"),
                      {"bad.toml, line 2", "run.gravity_m_s2 = 9007199254740993", "out of range"});
     expect_complaint(complaint("[run]\nlattice_seed = 9007199254740993\n"), {"out of range"});
