@@ -32,7 +32,7 @@ fs::path top_folder() {
 
 /// The pages, named from the top folder.
 Names pages() {
-    Names found = {"README.md", "CONTRIBUTING.md", "src/engine/README.md"};
+    Names found = {"README.md", "CHANGELOG.md", "CONTRIBUTING.md", "src/engine/README.md"};
     for (const char* folder : {"docs", "cases"})
         for (const auto& entry : fs::recursive_directory_iterator(top_folder() / folder))
             if (entry.path().extension() == ".md")
