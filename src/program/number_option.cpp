@@ -22,6 +22,12 @@ std::string valid_text(const NumberRange& range, const char* kind) {
     return text;
 }
 
+/// The help with what is valid, where it has limits that a user may meet.
+std::string with_range(const std::string& help, const NumberRange& range) {
+    if (std::isfinite(range.high)) return fmt::format("{}; {:.16g} to {:.16g}", help, range.low, range.high);
+    return range.above_low ? fmt::format("{}; more than {:.16g}", help, range.low) : help;
+}
+
 bool is_within(const NumberRange& range, double number) {
     return number >= range.low && number <= range.high && !(range.above_low && number == range.low);
 }
@@ -67,24 +73,25 @@ constexpr NumberRange any_id = {.low = -0x1p63, .high = 0x1p63};
 
 CommandOption add_number_option(Command& command, const std::string& names, double& value,
                                 const std::string& help, const NumberRange& range) {
-    CommandOption option = add_single<double>(command, names, value, help, range);
+    CommandOption option = add_single<double>(command, names, value, with_range(help, range), range);
     return std::isnan(value) ? option : option.default_text(fmt::format("{:g}", value));
 }
 
 CommandOption add_number_option(Command& command, const std::string& names, int& value,
                                 const std::string& help, const NumberRange& range) {
-    return add_single<int>(command, names, value, help, range).default_text(fmt::format("{}", value));
+    return add_single<int>(command, names, value, with_range(help, range), range)
+        .default_text(fmt::format("{}", value));
 }
 
 CommandOption add_number_option(Command& command, const std::string& names, std::uint64_t& value,
                                 const std::string& help, const NumberRange& range) {
-    return add_single<std::uint64_t>(command, names, value, help, range)
+    return add_single<std::uint64_t>(command, names, value, with_range(help, range), range)
         .default_text(fmt::format("{}", value));
 }
 
 CommandOption add_number_option(Command& command, const std::string& names, std::vector<double>& values,
                                 const std::string& help, const NumberRange& range) {
-    return add_list(command, names, values, help, range).value_name("number");
+    return add_list(command, names, values, with_range(help, range), range).value_name("number");
 }
 
 CommandOption add_id_option(Command& command, const std::string& name, std::optional<long>& id,
