@@ -21,11 +21,14 @@
 namespace runout {
 namespace {
 
+constexpr int all_scenes = -1;
+
 struct StressArguments {
     int scenes = 100;
     std::uint64_t seed = 1;
     std::vector<std::string> ranges;
     std::vector<std::string> settings;
+    int scene = all_scenes;
     std::string database = "stress.db";
     int jobs = default_jobs();
     bool quiet = false;
@@ -86,6 +89,7 @@ int stress(const StressArguments& arguments) {
     options.on_run = [](int done, int total) {
         if (done % 50 == 0 || done == total) log_info("{} of {} scenes", done, total);
     };
+    if (arguments.scene != all_scenes) options.only = arguments.scene;
     const auto points = stress_points(axes, arguments.scenes, arguments.seed);
     const auto outcomes = run_stress(points, arguments.seed, store, options);
     print_text(stress_table(outcomes, axes));
@@ -119,6 +123,9 @@ void add_stress_command(CommandLine& program) {
                     "Any key run.* of a case file, for all scenes; may be repeated")
         .value_name("key=value")
         .one_value_a_use();
+    add_number_option(command, "--scene", arguments->scene, "Run this one of them only, as the tables number them",
+                      {0, 1e6})
+        .default_text("all");
     command.add_option("--db", &arguments->database, "Database that takes the runs; made if absent")
         .value_name("PATH")
         .show_default();

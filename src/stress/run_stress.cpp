@@ -57,6 +57,7 @@ std::vector<StressOutcome> run_stress(const std::vector<StressPoint>& points, st
         StressOutcome& outcome = outcomes[k];
         outcome.index = k;
         outcome.point = points[k];
+        if (options.only && *options.only != k) return;
         RunControl control;
         control.interrupt = options.interrupt;
         std::optional<Scene> scene = scene_or_refusal(outcome, seed);

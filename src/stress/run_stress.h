@@ -23,6 +23,7 @@ struct StressOutcome {
 
 struct StressOptions {
     int jobs = 1;
+    std::optional<int> only;  ///< index of the one scene to run; absent: all
     /// Keys "run.*" of a case file and their values, for all scenes; in place of the defaults.
     std::vector<std::pair<std::string, std::string>> settings;
     const std::atomic<bool>* interrupt = nullptr;

@@ -11,10 +11,18 @@
 namespace runout {
 namespace {
 
-// A grain is alone where all other soil is farther than the first, and in company where some is nearer than
-// the second. In kernel supports.
-constexpr double lone_distance = 0.9;
-constexpr double company_distance = 0.8;
+// Soil that is no denser around a grain than a row of grains so far apart leaves it alone; soil as dense as the
+// closer row is company. In spacings. Pressure in a thinner film would press its grains apart, far beyond what
+// so little depth can press, and films on slopes below repose would creep and spread without end.
+constexpr double lone_spacing = 1.6;
+constexpr double company_spacing = 1.3;
+
+/// Sum of W over all others of an endless row of grains `distance` apart, 1/m2.
+double row_sum(const WendlandKernel& kernel, double distance) {
+    double sum = 0.0;
+    for (double r = distance; r < kernel.support(); r += distance) sum += 2.0 * kernel.value(r);
+    return sum;
+}
 
 /// Multiplies all wall pairs of a row by `share`.
 void fade(WallRow& row, float share) {
@@ -133,8 +141,8 @@ NeighbourSearch::NeighbourSearch(const Discretisation& discretisation, int threa
     : discretisation_(discretisation), threads_(threads) {
     const WendlandKernel kernel(discretisation.smoothing_length);
     grid_.size = kernel.support() / cells_per_support;
-    lone_kernel_ = kernel.value(lone_distance * kernel.support());
-    company_kernel_ = kernel.value(company_distance * kernel.support());
+    lone_kernel_ = row_sum(kernel, lone_spacing * discretisation.spacing);
+    company_kernel_ = row_sum(kernel, company_spacing * discretisation.spacing);
 }
 
 void NeighbourSearch::sort(Soil& soil) {
