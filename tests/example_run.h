@@ -40,7 +40,7 @@ inline RunResult example_result() {
                    .particle_spacing_m = 0.0884,
                    .steps = 2503,
                    .pressure_iterations = 30004,
-                   .wall_guard_activations = 5,
+                   .bed_guard_activations = 5,
                    .highest_density_ratio = 1.021,
                    .simulated_s = 4.7,
                    .wall_s = 2.3,

@@ -38,7 +38,7 @@ inline Scene aluminium_column(double friction_angle_deg, double spacing) {
 inline LaterMass mass_above_column(const Scene& column, double time, double height) {
     return {time,
             {.outline = {{0.0, 0.12}, {0.1, 0.12}, {0.1, 0.12 + height}, {0.0, 0.12 + height}},
-             .bed = column.source.bed,
+             .ground = column.source.bed,
              .area = 0.1 * height}};
 }
 

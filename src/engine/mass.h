@@ -8,7 +8,7 @@ namespace runout {
 /// the run-out.
 struct Mass {
     Polygon outline{};  ///< corners, counter-clockwise, m
-    Polyline bed{};     ///< the ground it leaves, from the uphill to the distal end; x never decreases, m
+    Polyline ground{};  ///< what it leaves, from the uphill to the distal end; x never decreases, m
     double area = 0;    ///< within the outline, m2; must be that of the outline
 };
 

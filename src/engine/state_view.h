@@ -3,7 +3,7 @@
 #include <span>
 
 #include "engine/particles/bed_line.h"
-#include "engine/particles/kernel.h"
+#include "engine/particles/discretisation.h"
 
 namespace runout {
 
@@ -28,11 +28,11 @@ struct StateView {
     std::span<const int> id;  ///< number given at packing, from 0; the order of the particles changes
     /// 1: soil of an erodible layer that has not moved yet, no part of the debris. Empty without such a
     /// layer.
-    std::span<const char> resting_layer;
+    std::span<const char> unmoved_layer;
 
     /// Whether particle `i` of the spans is debris: not of a layer that still lies.
     [[nodiscard]] bool is_debris(std::size_t i) const {
-        return resting_layer.empty() || resting_layer[i] == 0;
+        return unmoved_layer.empty() || unmoved_layer[i] == 0;
     }
 };
 

@@ -60,7 +60,7 @@ double time_limit_of(const Problem& problem, double height) {
 
 ProblemScales scales_of(const Problem& problem, const EffectSet& effects) {
     const double length = std::sqrt(problem.mass.area);
-    const double floor = lowest(effects.bed_under(problem.mass.bed));
+    const double floor = lowest(effects.bed_under(problem.mass.ground));
     return {length, std::sqrt(length / problem.settings.gravity), floor,
             highest(problem.mass.outline) - floor};
 }
@@ -89,9 +89,9 @@ Stepper::Stepper(const Problem& problem, const Packing& packing)
       discretisation_(
           make_discretisation(packing.spacing, problem.settings.smoothing_ratio, problem.material.density)),
       effects_(problem, discretisation_),
-      ground_(problem.mass.bed),
+      ground_(problem.mass.ground),
       scales_(scales_of(problem, effects_)),
-      particles_(particles_at_release(packing, problem.mass.bed, effects_, discretisation_)),
+      particles_(particles_at_release(packing, problem.mass.ground, effects_, discretisation_)),
       starts_(positions_of(particles_.soil)),
       search_(discretisation_, threads_),
       friction_(discretisation_, effects_.yield_strength(particles_.wall), settings_.friction,
@@ -164,7 +164,7 @@ void Stepper::balance() {
 void Stepper::let_go_what_is_due() {
     if (release_.stage_ended()) {
         const Release::Layer layer =
-            release_.next_layer(particles_.soil, particles_.wall.line, discretisation_.spacing);
+            release_.next_layer(particles_.soil, particles_.wall.bed_line, discretisation_.spacing);
         scales_.height = std::max(scales_.height, layer.top - scales_.floor);
         add_soil(layer.points);
     }
@@ -174,8 +174,8 @@ void Stepper::let_go_what_is_due() {
 /// Adds the mass, and changes the bed to what it leaves.
 void Stepper::let_go_mass(const Mass& mass) {
     Wall& wall = particles_.wall;
-    ground_ = BedLine(mass.bed);
-    wall = make_wall(BedLine(effects_.bed_under(mass.bed)), discretisation_);
+    ground_ = BedLine(mass.ground);
+    wall = make_wall(BedLine(effects_.bed_under(mass.ground)), discretisation_);
     pressure_.forget_wall();
     friction_.set_yield(effects_.yield_strength(wall));
     effects_.take_new_wall(wall);
@@ -203,20 +203,20 @@ void Stepper::find_neighbours() {
     Wall& wall = particles_.wall;
     Neighbours& n = particles_.neighbours;
     search_.sort(particles_.soil);
-    const int resting = sleep_ ? sleep_->find_resting(particles_.soil, n.resting) : 0;
+    const int sleeping = sleep_ ? sleep_->find_sleeping(particles_.soil, n.asleep) : 0;
     search_.find(particles_.soil, wall, n);
-    if (resting > 0) let_sleep(resting);
+    if (sleeping > 0) let_sleep(sleeping);
     for (const int b : n.left) wall.pressure[b] = wall.sxx[b] = wall.sxy[b] = 0.0;
 }
 
 /// Sets velocity and pressure gradient of sleeping soil to 0. The energy that it trembled with is booked.
-void Stepper::let_sleep(int resting) {
+void Stepper::let_sleep(int sleeping) {
     Soil& soil = particles_.soil;
     Neighbours& n = particles_.neighbours;
-    ledger_.counts.sleeping_particle_steps += resting;
+    ledger_.counts.sleeping_particle_steps += sleeping;
     double trembling = 0.0;
     for (int i = 0; i < soil.count; ++i) {
-        if (!n.rests(i)) continue;
+        if (!n.is_asleep(i)) continue;
         trembling += 0.5 * (soil.vx[i] * soil.vx[i] + soil.vy[i] * soil.vy[i]);
         soil.vx[i] = soil.vy[i] = 0.0;
         n.density[i] = sleep_->density(soil.id[i]);
@@ -384,7 +384,7 @@ void Stepper::judge(StepFacts& facts, double dt) {
         return survey(soil, n.density, settings_.gravity, rows.first, rows.last);
     });
     invariants_.observe(all, facts);
-    ending_.judge(all, invariants_, particles_.wall.line, time_);
+    ending_.judge(all, invariants_, particles_.wall.bed_line, time_);
     if (!ending_.at_rest(soil, time_))
         ending_.judge_time(time_);
     else if (!effects_.act_at(time_) && !release_.goes_on(time_))
@@ -398,7 +398,7 @@ StateView Stepper::state() const {
     const auto view = [&](const std::vector<double>& field) { return std::span(field).first(count); };
     return {time_,
             &discretisation_,
-            &particles_.wall.line,
+            &particles_.wall.bed_line,
             &ground_,
             settings_.gravity,
             view(soil.x),
@@ -410,7 +410,7 @@ StateView Stepper::state() const {
             view(soil.sxy),
             view(particles_.neighbours.density),
             std::span(soil.id).first(count),
-            effects_.resting_layer()};
+            effects_.unmoved_layer()};
 }
 
 EnergyBudget Stepper::energy() const {

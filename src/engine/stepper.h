@@ -86,7 +86,7 @@ class Stepper {
 
     // The step.
     void find_neighbours();
-    void let_sleep(int resting);
+    void let_sleep(int sleeping);
     [[nodiscard]] double choose_time_step();
     [[nodiscard]] bool in_free_flight();
     PressureSolve fly(double dt);

@@ -151,7 +151,7 @@ struct RunWork {
     double particle_spacing_m = 0;  ///< effective: particles * spacing^2 = source area
     long steps = 0;
     long pressure_iterations = 0;  ///< CG iterations, all steps
-    long wall_guard_activations = 0;
+    long bed_guard_activations = 0;
     double highest_density_ratio = 0;  ///< densest particle at any instant / rho_0
     double simulated_s = 0;
     double wall_s = 0;

@@ -120,7 +120,7 @@ RunWork work_of(const Simulation& simulation) {
     work.particle_spacing_m = state.discretisation->spacing;
     work.steps = counts.steps;
     work.pressure_iterations = counts.pressure_iterations;
-    work.wall_guard_activations = counts.wall_guard_activations;
+    work.bed_guard_activations = counts.bed_guard_activations;
     work.highest_density_ratio = counts.highest_density;
     work.spared_share =
         counts.particle_steps > 0

@@ -11,7 +11,7 @@ constexpr std::array work = {
     WorkColumn{"particle_spacing_m", &RunWork::particle_spacing_m},
     WorkColumn{"steps", &RunWork::steps},
     WorkColumn{"pressure_iterations", &RunWork::pressure_iterations},
-    WorkColumn{"wall_guard_activations", &RunWork::wall_guard_activations},
+    WorkColumn{"wall_guard_activations", &RunWork::bed_guard_activations},
     WorkColumn{"highest_density_ratio", &RunWork::highest_density_ratio},
     WorkColumn{"simulated_s", &RunWork::simulated_s},
     WorkColumn{"wall_s", &RunWork::wall_s},

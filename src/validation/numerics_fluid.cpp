@@ -98,10 +98,10 @@ void Fluid::step(double end) {
 void Fluid::guard_wall() {
     Soil& soil = cloud.soil;
     for (int i = 0; i < soil.count; ++i) {
-        const int boundary = cloud.neighbours.nearest_boundary[i];
-        if (boundary < 0) continue;
+        const int wall_index = cloud.neighbours.nearest_boundary[i];
+        if (wall_index < 0) continue;
         const BedLine::Nearest near =
-            cloud.wall.line.nearest({soil.x[i], soil.y[i]}, cloud.wall.segment[boundary], 8);
+            cloud.wall.bed_line.nearest({soil.x[i], soil.y[i]}, cloud.wall.segment[wall_index], 8);
         if (near.distance >= 0.0) continue;
         const double back = std::min(-near.distance, 0.5 * cloud.d.spacing);
         const double inward = std::max(0.0, -(soil.vx[i] * near.normal.x() + soil.vy[i] * near.normal.y()));

@@ -54,7 +54,7 @@ std::vector<int> brute_force(const CellGrid& grid, const Points& points, double 
     std::vector<int> found;
     for (int i = 0; i < static_cast<int>(points.x.size()); ++i) {
         const bool near = std::abs(grid.column(points.x[i]) - grid.column(x)) <= reach &&
-                          std::abs(grid.row(points.y[i]) - grid.row(y)) <= reach;
+                          std::abs(grid.tier(points.y[i]) - grid.tier(y)) <= reach;
         if (near) found.push_back(i);
     }
     return found;
@@ -78,14 +78,14 @@ TEST(CellGridTest, FindsWhatBruteForceFindsAlsoWhenUsedAgain) {
     }
 }
 
-TEST(CellGridTest, ParticlesAreInTheOrderOfColumnsThenRowsThenTheirOwn) {
+TEST(CellGridTest, ParticlesAreInTheOrderOfColumnsThenTiersThenTheirOwn) {
     const Points points = heap_with_far_grains(7, 10.0);
     CellGrid grid;
     grid.size = 0.25;
     std::vector<int> order;
     grid.sort(points.x, points.y, shares(points, 3), order);
     const auto key = [&](int i) {
-        return std::array<long, 3>{grid.column(points.x[i]), grid.row(points.y[i]), i};
+        return std::array<long, 3>{grid.column(points.x[i]), grid.tier(points.y[i]), i};
     };
     ASSERT_EQ(order.size(), points.x.size());
     for (std::size_t k = 1; k < order.size(); ++k) EXPECT_LT(key(order[k - 1]), key(order[k]));

@@ -137,8 +137,8 @@ TEST(Operators, PressureGradientIsMinusTheAdjointOfDivergence) {
     for (int a = 0; a < f.neighbours.active_count(); ++a) {
         for (int k = f.neighbours.boundary_start[a]; k < f.neighbours.boundary_start[a + 1]; ++k) {
             const BoundaryPair& pair = f.neighbours.boundary_pairs[k];
-            right +=
-                p[f.neighbours.first_boundary + a] * (v[pair.soil].x * pair.gx + v[pair.soil].y * pair.gy);
+            right += p[f.neighbours.first_boundary_node + a] *
+                     (v[pair.soil].x * pair.gx + v[pair.soil].y * pair.gy);
         }
     }
     EXPECT_NEAR(left, -right, 1e-6 * std::abs(left));

@@ -24,7 +24,7 @@ TEST(NeighboursTest, FindsEveryPairThatBruteForceFinds) {
         for (int s = 0; s < slices_per_block; ++s) {
             for (int e = block.offset[s]; e < block.offset[s + 1]; ++e) {
                 const int i = block.first_row + s * lanes + (e - block.offset[s]) % lanes;
-                if (block.stiffness[e] > 0.0F && block.column[e] < f.neighbours.first_boundary)
+                if (block.stiffness[e] > 0.0F && block.column[e] < f.neighbours.first_boundary_node)
                     ++row_length[i];
             }
         }
@@ -160,7 +160,7 @@ std::vector<double> entries(const PairBlock& block) {
             all.push_back(value);
     }
     for (const WallPair& pair : block.wall_pairs) {
-        for (const double value : {static_cast<double>(pair.row), static_cast<double>(pair.boundary),
+        for (const double value : {static_cast<double>(pair.row), static_cast<double>(pair.wall_index),
                                    static_cast<double>(pair.slot), static_cast<double>(pair.own_gx)})
             all.push_back(value);
     }

@@ -180,7 +180,7 @@ TEST(Properties, ParticlesAreNumberedOnceAndStayOutOfTheBed) {
     for (std::size_t i = 0; i < count; ++i) {
         EXPECT_GE(state.bed->nearest({state.x[i], state.y[i]}).distance, -1e-12);
     }
-    EXPECT_LT(simulation.work().wall_guard_activations, simulation.work().steps / 100);
+    EXPECT_LT(simulation.work().bed_guard_activations, simulation.work().steps / 100);
 }
 
 /// Final positions, to be compared bit by bit.

@@ -22,12 +22,12 @@ struct High : Filled {
 };
 
 /// One of which blocks and single slices rest in the middle third.
-struct PartlyResting : High {
-    PartlyResting() {
+struct PartlyAsleep : High {
+    PartlyAsleep() {
         Neighbours& n = neighbours;
-        n.resting.assign(soil.padded() / lanes, 0);
-        for (std::size_t s = n.resting.size() / 3; s < 2 * n.resting.size() / 3; ++s)
-            n.resting[s] = s / slices_per_block % 2 == 0 || s % 5 == 0 ? 1 : 0;
+        n.asleep.assign(soil.padded() / lanes, 0);
+        for (std::size_t s = n.asleep.size() / 3; s < 2 * n.asleep.size() / 3; ++s)
+            n.asleep[s] = s / slices_per_block % 2 == 0 || s % 5 == 0 ? 1 : 0;
         search.find(soil, wall, n);
     }
 };
@@ -50,7 +50,7 @@ void expect_no_pair_beyond_the_next_chunk(const High& f) {
     ASSERT_GT(n.chunks.count(), 4);
     for (const PairBlock& block : n.blocks) {
         for_each_pair(block, n, [&](int i, int j, int) {
-            if (j >= n.soil_count || n.rests(i) || n.rests(j)) return;
+            if (j >= n.soil_count || n.is_asleep(i) || n.is_asleep(j)) return;
             ASSERT_LE(std::abs(chunk_of(n, i) - chunk_of(n, j)), 1) << i << ' ' << j;
         });
     }
@@ -63,7 +63,7 @@ void expect_no_pair_beyond_the_next_chunk(const High& f) {
         for (int k = f.wall.neighbour_start[b]; k < f.wall.neighbour_start[b + 1]; ++k) {
             const int other = n.node_of_boundary[f.wall.neighbour[k]];
             if (other < 0) continue;
-            ASSERT_LE(std::abs(chunk[other - n.first_boundary] - chunk[a]), 1) << "boundary " << a;
+            ASSERT_LE(std::abs(chunk[other - n.first_boundary_node] - chunk[a]), 1) << "boundary " << a;
         }
     }
 }
@@ -91,7 +91,7 @@ TEST(RowChunksTest, EachThreadHasTheSameWork) {
 
 TEST(RowChunksTest, NoPairReachesBeyondTheNextChunk) {
     expect_no_pair_beyond_the_next_chunk(High());
-    expect_no_pair_beyond_the_next_chunk(PartlyResting());
+    expect_no_pair_beyond_the_next_chunk(PartlyAsleep());
 }
 
 /// Two fields that are made from each other in turn, pass by pass, as friction makes velocity and stress.
@@ -115,7 +115,8 @@ struct Fields {
         const auto& from = pass % 2 == 0 ? even : odd;
         auto& to = pass % 2 == 0 ? odd : even;
         for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k)
-            to[n.first_boundary + a] = 31 * to[n.first_boundary + a] + from[n.boundary_pairs[k].soil];
+            to[n.first_boundary_node + a] =
+                31 * to[n.first_boundary_node + a] + from[n.boundary_pairs[k].soil];
     }
 };
 
@@ -157,7 +158,7 @@ TEST(RowPassesTest, GiveWhatOnePassAfterTheOtherGives) {
     for (const int threads : {1, 2, 3, 4}) {
         expect_the_same_as_pass_by_pass(Filled(30), threads);
         expect_the_same_as_pass_by_pass(High(), threads);
-        expect_the_same_as_pass_by_pass(PartlyResting(), threads);
+        expect_the_same_as_pass_by_pass(PartlyAsleep(), threads);
     }
 }
 

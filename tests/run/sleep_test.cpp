@@ -40,26 +40,26 @@ struct Block {
         watch.observe(soil, density, time);
     }
     /// Number of particles in slices that rest, and the least x of them.
-    int resting(double& from) const {
+    int sleeping(double& from) const {
         std::vector<char> slices;
-        const int count = watch.find_resting(soil, slices);
+        const int count = watch.find_sleeping(soil, slices);
         from = 1e9;
         for (int i = 0; i < soil.count; ++i)
             if (count > 0 && slices[static_cast<std::size_t>(i / lanes)]) from = std::min(from, soil.x[i]);
         return count;
     }
-    int resting() const {
+    int sleeping() const {
         double from;
-        return resting(from);
+        return sleeping(from);
     }
 };
 
 TEST(SleepWatch, SoilAtRestSleepsAfterTwoWindows) {
     Block block;
     for (int k = 0; k < 10; ++k) block.pass(0.019);
-    EXPECT_EQ(block.resting(), 0) << "one window has closed";
+    EXPECT_EQ(block.sleeping(), 0) << "one window has closed";
     for (int k = 0; k < 3; ++k) block.pass(0.019);
-    EXPECT_EQ(block.resting(), block.soil.count);
+    EXPECT_EQ(block.sleeping(), block.soil.count);
 }
 
 TEST(SleepWatch, WhatIsNearMovingSoilStaysAwake) {
@@ -69,7 +69,7 @@ TEST(SleepWatch, WhatIsNearMovingSoilStaysAwake) {
         block.pass(0.02);
     }
     double from;
-    EXPECT_GT(block.resting(from), block.soil.count / 2);
+    EXPECT_GT(block.sleeping(from), block.soil.count / 2);
     EXPECT_GT(from, 2.6 * spacing) << "more than a kernel support from the first column";
     EXPECT_LT(from, 9.0 * spacing);
 }
@@ -78,15 +78,15 @@ TEST(SleepWatch, MotionAndAChangeOfLoadWakeWhatIsNearAtOnce) {
     for (const bool by_load : {false, true}) {
         Block block;
         for (int k = 0; k < 15; ++k) block.pass(0.02);
-        ASSERT_EQ(block.resting(), block.soil.count);
+        ASSERT_EQ(block.sleeping(), block.soil.count);
         if (by_load)
             block.soil.pressure[0] += 2000.0 * 9.81 * spacing;
         else
             block.soil.x[0] -= 0.1 * spacing;
         block.pass(1e-4);
         double from;
-        EXPECT_LT(block.resting(from), block.soil.count);
-        EXPECT_GT(block.resting(from), 0) << "what is far sleeps on";
+        EXPECT_LT(block.sleeping(from), block.soil.count);
+        EXPECT_GT(block.sleeping(from), 0) << "what is far sleeps on";
         EXPECT_GT(from, 2.6 * spacing);
     }
 }
@@ -102,7 +102,7 @@ TEST(SleepWatch, SoilThatGetsFasterIsNotTakenForQuiet) {
             if (k > 0) block.soil.x[i] -= 0.0125 * spacing * std::pow((block.time - 0.02) / window, 2);
             block.soil.x[i] += path;
         }
-        ASSERT_EQ(block.resting(), 0) << "at t = " << block.time;
+        ASSERT_EQ(block.sleeping(), 0) << "at t = " << block.time;
     }
 }
 

@@ -8,7 +8,8 @@ target_sources(runout_core PUBLIC FILE_SET HEADERS BASE_DIRS ${root} FILES
 target_sources(runout_engine PUBLIC FILE_SET HEADERS BASE_DIRS ${root} FILES
   ${root}/engine/problem.h ${root}/engine/simulation.h ${root}/engine/state_view.h ${root}/engine/status.h
   ${root}/engine/effects/barrier_force.h ${root}/engine/effects.h
-  ${root}/engine/particles/bed_line.h ${root}/engine/particles/kernel.h ${root}/engine/mass.h
+  ${root}/engine/particles/bed_line.h ${root}/engine/particles/discretisation.h
+  ${root}/engine/particles/kernel.h ${root}/engine/mass.h
   ${root}/engine/pairs/packing.h ${root}/engine/watch/invariant_readings.h ${root}/engine/watch/phase_clock.h
   ${root}/engine/watch/work_ledger.h)
 set_target_properties(runout_core PROPERTIES EXPORT_NAME core)

@@ -24,8 +24,8 @@ BarrierLoad::BarrierLoad(const Polyline& outline, const Wall& wall, const Discre
 }
 
 void BarrierLoad::find_segments(const Wall& wall) {
-    for (int s = 0; s < wall.line.segments(); ++s)
-        if (wall.line.start(s) == outline_.front()) first_ = s;
+    for (int s = 0; s < wall.bed_line.segments(); ++s)
+        if (wall.bed_line.start(s) == outline_.front()) first_ = s;
     on_barrier_.clear();
     for (int b = 0; b < wall.boundary_count; ++b) on_barrier_.push_back(is_barrier(wall.segment[b]) ? 1 : 0);
 }
@@ -36,9 +36,9 @@ void BarrierLoad::measure(const ParticleSystem& particles, double dt) {
     double moment = 0.0;
     for (const PairBlock& block : particles.neighbours.blocks) {
         for (const WallPair& pair : block.wall_pairs) {
-            if (on_barrier_[pair.boundary] == 0) continue;
+            if (on_barrier_[pair.wall_index] == 0) continue;
             const Vec2 force = volume_ * pair_traction(particles, pair);
-            const Vec2 arm = Vec2{wall.x[pair.boundary], wall.y[pair.boundary]} - outline_.front();
+            const Vec2 arm = Vec2{wall.x[pair.wall_index], wall.y[pair.wall_index]} - outline_.front();
             total += force;
             moment += arm.y() * force.x() - arm.x() * force.y();
         }

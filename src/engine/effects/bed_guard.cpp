@@ -14,16 +14,17 @@ constexpr int segments_near = 8;
 BedLine::Nearest nearest_bed(const ParticleSystem& particles, int i) {
     const Soil& soil = particles.soil;
     const Wall& wall = particles.wall;
-    const int boundary = particles.neighbours.nearest_boundary[i];
-    return boundary < 0 ? wall.line.below(soil.x[i], soil.y[i])
-                        : wall.line.nearest({soil.x[i], soil.y[i]}, wall.segment[boundary], segments_near);
+    const int wall_index = particles.neighbours.nearest_boundary[i];
+    return wall_index < 0
+               ? wall.bed_line.below(soil.x[i], soil.y[i])
+               : wall.bed_line.nearest({soil.x[i], soil.y[i]}, wall.segment[wall_index], segments_near);
 }
 
 }  // namespace
 
 /// How near soil may come to the bed line, m. Soil in company: to the line, since pressure keeps it off. A
-/// lone grain: to half a spacing, where the lowest row of a lattice lies. Nearer, it would be shot out when
-/// others join it.
+/// lone grain: to half a spacing, where the lowest particles of a lattice lie. Nearer, it would be shot out
+/// when others join it.
 double BedGuard::clearance(const Neighbours& n, int i) const {
     return 0.5 * (1.0 - n.company[i]) * discretisation_.spacing;
 }
@@ -34,12 +35,12 @@ void BedGuard::find_gaps(ParticleSystem& particles) {
     Soil& soil = particles.soil;
     fit(gap_, soil.count);
     fit(some_inside_, n.chunks.count());
-    const bool all_awake = n.resting.empty();
+    const bool all_awake = n.asleep.empty();
     for_each_chunk(n.chunks, [&](int chunk) {
         double least = 0.0;
         for_each_soil(n, chunk, [&](int i) {
             gap_[i] = 0.0;
-            if (!all_awake && n.rests(i)) return;
+            if (!all_awake && n.is_asleep(i)) return;
             soil.contact_x[i] = soil.contact_y[i] = 0.0;
             gap_[i] = nearest_bed(particles, i).distance - clearance(n, i);
             least = std::min(least, gap_[i]);
@@ -60,7 +61,7 @@ StepFacts BedGuard::put_back(ParticleSystem& particles, const std::vector<double
             if (gap_[i] < 0.0) put_back(i, step, facts);
         });
     }
-    ledger.counts.wall_guard_activations += facts.driven_in;
+    ledger.counts.bed_guard_activations += facts.driven_in;
     return facts;
 }
 

@@ -21,14 +21,14 @@ void shift_crowded(ParticleSystem& particles, const Discretisation& discretisati
     const double scale = shifting * discretisation.volume();
     const double most = most_shifting * discretisation.spacing;
     for (int i = 0; i < soil.count; ++i) {
-        if (n.density[i] < surface_density || n.rests(i)) continue;
-        Vec2 step{-scale * n.surface_x[i], -scale * n.surface_y[i]};
-        const double size = step.norm();
+        if (n.density[i] < surface_density || n.is_asleep(i)) continue;
+        Vec2 shift{-scale * n.surface_x[i], -scale * n.surface_y[i]};
+        const double size = shift.norm();
         const double longest = std::min(most, shifting_way * dt * std::hypot(soil.vx[i], soil.vy[i]));
-        if (size > longest) step *= longest / size;
-        soil.x[i] += step.x();
-        soil.y[i] += step.y();
-        ledger.numerical -= discretisation.mass() * gravity * step.y();
+        if (size > longest) shift *= longest / size;
+        soil.x[i] += shift.x();
+        soil.y[i] += shift.y();
+        ledger.numerical -= discretisation.mass() * gravity * shift.y();
     }
 }
 

@@ -30,7 +30,7 @@ EffectSet::EffectSet(const Problem& problem, const Discretisation& discretisatio
       gravity_(problem.settings.gravity),
       smoothing_ratio_(problem.settings.smoothing_ratio) {
     if (effects_.erodible_bed)
-        effects_.erodible_bed = with_whole_rows(*effects_.erodible_bed, discretisation.spacing);
+        effects_.erodible_bed = with_whole_particles(*effects_.erodible_bed, discretisation.spacing);
     if (cohesive() || (effects_.rate && effects_.rate->increase != 0.0))
         filter_.emplace(discretisation_, cohesive() ? standing_filter : flowing_filter);
     if (effects_.shaking) shaking_.emplace(*effects_.shaking);
@@ -117,8 +117,8 @@ void EffectSet::observe(const ParticleSystem& particles, const std::vector<Vec2>
     if (layer_) layer_->observe(particles.soil, starts);
 }
 
-std::span<const char> EffectSet::resting_layer() const {
-    return layer_ ? std::span(layer_->resting()) : std::span<const char>{};
+std::span<const char> EffectSet::unmoved_layer() const {
+    return layer_ ? std::span(layer_->unmoved()) : std::span<const char>{};
 }
 
 double EffectSet::eroded_area() const {

@@ -68,7 +68,7 @@ class EffectSet {
     /// Null without a barrier.
     [[nodiscard]] const BarrierForce* barrier_force() const { return barrier_ ? &barrier_->now() : nullptr; }
     /// Per soil particle, 1 where it is of the erodible layer and has not moved; empty without such a layer.
-    [[nodiscard]] std::span<const char> resting_layer() const;
+    [[nodiscard]] std::span<const char> unmoved_layer() const;
     /// Soil of the layer that has moved, m2.
     [[nodiscard]] double eroded_area() const;
     [[nodiscard]] const std::vector<EffectCost>& costs() const { return costs_; }
@@ -86,7 +86,7 @@ class EffectSet {
     std::optional<PoreWater> water_;
     std::optional<GroundMotion> shaking_;
     std::optional<BarrierLoad> barrier_;
-    std::optional<RestingLayer> layer_;
+    std::optional<UnmovedLayer> layer_;
     std::vector<EffectCost> costs_;
 };
 

@@ -26,14 +26,14 @@ void ColumnThickness::measure(const Neighbours& n, const Soil& soil, const Discr
     const auto [low, high] = std::minmax_element(soil.x.begin(), soil.x.begin() + soil.count);
     first_ = *low - width_;
     thickness_.assign(static_cast<std::size_t>((*high - *low) / width_) + 4, 0.0);
-    const double share = discretisation.volume() / width_;
+    const double added = discretisation.volume() / width_;
     for (int i = 0; i < soil.count; ++i) {
         if (n.density[i] < body_density) continue;
         const double at = (soil.x[i] - first_) / width_;
         const auto column = static_cast<std::size_t>(at);
         const double upper = at - static_cast<double>(column);
-        thickness_[column] += (1.0 - upper) * share;
-        thickness_[column + 1] += upper * share;
+        thickness_[column] += (1.0 - upper) * added;
+        thickness_[column + 1] += upper * added;
     }
 }
 
@@ -63,7 +63,7 @@ const std::vector<double>& PoreWater::find(const ParticleSystem& particles, doub
     const double excess = effect_.base_excess * std::exp(-time / effect_.dissipation_time);
     const double weight = discretisation_.density * gravity_;
     const auto depth = [&](double x, double y) {
-        return std::max(0.0, wall.line.elevation(x) + thickness_.at(x) - y);
+        return std::max(0.0, wall.bed_line.elevation(x) + thickness_.at(x) - y);
     };
     pressure_.assign(n.nodes, 0.0);
     for (int i = 0; i < soil.count; ++i) {
@@ -78,7 +78,7 @@ const std::vector<double>& PoreWater::find(const ParticleSystem& particles, doub
         const int pairs = n.boundary_start[a + 1] - n.boundary_start[a];
         const double ratio = sum / std::max(1, pairs) + excess;
         const int b = n.active[a];
-        pressure_[n.first_boundary + a] = ratio * weight * depth(wall.x[b], wall.y[b]);
+        pressure_[n.first_boundary_node + a] = ratio * weight * depth(wall.x[b], wall.y[b]);
     }
     return pressure_;
 }

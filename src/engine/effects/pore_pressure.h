@@ -4,7 +4,7 @@
 
 #include "engine/effects.h"
 #include "engine/pairs/particle_system.h"
-#include "engine/particles/kernel.h"
+#include "engine/particles/discretisation.h"
 
 namespace runout {
 

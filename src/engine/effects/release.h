@@ -30,8 +30,8 @@ class Release {
         std::vector<Vec2> points;
         double top = 0;
     };
-    /// One more layer of a poured heap: a lattice at the uphill end, its lowest row one spacing above the
-    /// highest particle beneath it (Fig. 5 of the paper).
+    /// One more layer of a poured heap: a lattice at the uphill end, its lowest particles one spacing above
+    /// the highest particle beneath it (Fig. 5 of the paper).
     Layer next_layer(const Soil& soil, const BedLine& bed, double spacing);
 
   private:

@@ -10,9 +10,9 @@ Vec2 GroundMotion::acceleration(double time) const {
     if (time >= times.back()) return {0.0, 0.0};
     const auto next =
         static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time) - times.begin());
-    const double share = (time - times[next - 1]) / (times[next] - times[next - 1]);
+    const double fraction = (time - times[next - 1]) / (times[next] - times[next - 1]);
     const auto between = [&](const std::vector<double>& values) {
-        return values[next - 1] + share * (values[next] - values[next - 1]);
+        return values[next - 1] + fraction * (values[next] - values[next - 1]);
     };
     return {between(horizontal), between(vertical)};
 }

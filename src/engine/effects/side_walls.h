@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/effects.h"
-#include "engine/particles/kernel.h"
+#include "engine/particles/discretisation.h"
 #include "engine/particles/soil.h"
 
 namespace runout {

@@ -40,7 +40,7 @@ void Friction::load(const ParticleSystem& particles, int chunk) {
         velocity_[i] = {static_cast<float>(soil.vx[i]), static_cast<float>(soil.vy[i])};
     });
     for_each_boundary(n, chunk, [&](int a) {
-        const int node = n.first_boundary + a;
+        const int node = n.first_boundary_node + a;
         const int b = n.active[a];
         pressure_[node] = wall.pressure[b];
         stress_[node] = {static_cast<float>(wall.sxx[b]), static_cast<float>(wall.sxy[b])};
@@ -63,7 +63,7 @@ void Friction::find_strain_rate(TeamMember& member, const ParticleSystem& partic
             sum += n.boundary_pairs[k].stiffness * strain_rate_[n.boundary_pairs[k].soil];
             weight += n.boundary_pairs[k].stiffness;
         }
-        strain_rate_[n.first_boundary + a] = weight > 0.0 ? sum / weight : 0.0;
+        strain_rate_[n.first_boundary_node + a] = weight > 0.0 ? sum / weight : 0.0;
     };
     member.for_each_pass(2, [&](int pass, int chunk) {
         if (pass == 1) return for_each_boundary(n, chunk, of_boundary);
@@ -72,13 +72,13 @@ void Friction::find_strain_rate(TeamMember& member, const ParticleSystem& partic
 }
 
 void Friction::find_strength(const Neighbours& n, int chunk, const std::vector<double>* pore_pressure) {
-    const auto find = [&](int node, int boundary) {
+    const auto find = [&](int node, int wall_index) {
         const double pore = pore_pressure != nullptr ? (*pore_pressure)[node] : 0.0;
         const double rate = yield_.depends_on_rate() ? strain_rate_[node] : 0.0;
-        strength_[node] = static_cast<float>(yield_.at(boundary, pressure_[node], pore, rate));
+        strength_[node] = static_cast<float>(yield_.at(wall_index, pressure_[node], pore, rate));
     };
     for_each_soil(n, chunk, [&](int i) { find(i, n.nearest_boundary[i]); });
-    for_each_boundary(n, chunk, [&](int a) { find(n.first_boundary + a, n.active[a]); });
+    for_each_boundary(n, chunk, [&](int a) { find(n.first_boundary_node + a, n.active[a]); });
 }
 
 void Friction::save(int chunk, ParticleSystem& particles) const {
@@ -90,8 +90,8 @@ void Friction::save(int chunk, ParticleSystem& particles) const {
         soil.sxy[i] = stress_[i].y;
     });
     for_each_boundary(n, chunk, [&](int a) {
-        wall.sxx[n.active[a]] = stress_[n.first_boundary + a].x;
-        wall.sxy[n.active[a]] = stress_[n.first_boundary + a].y;
+        wall.sxx[n.active[a]] = stress_[n.first_boundary_node + a].x;
+        wall.sxy[n.active[a]] = stress_[n.first_boundary_node + a].y;
     });
 }
 
@@ -148,7 +148,7 @@ void Friction::project(const PairRows& rows, const Neighbours& n, double step, d
 
 /// As PairKernels::update_stress, at active boundary particle `a`.
 void Friction::project_boundary(const Neighbours& n, int a, double step, float momentum) {
-    const int i = n.first_boundary + a;
+    const int i = n.first_boundary_node + a;
     const VelocityGradient g = boundary_velocity_gradient(n, a, velocity_.data()).corrected(correction(n), i);
     const double trial_xx = ahead_[i].x + step * g.exx();
     const double trial_xy = ahead_[i].y + step * g.exy();
@@ -172,7 +172,7 @@ void Friction::yield_from_strain_rate(const Neighbours& n, int chunk) {
         n, chunk, velocity_.data(),
         [&](const PairBlock&, int i, const VelocityGradient& plain) { update(i, plain); });
     for_each_boundary(n, chunk, [&](int a) {
-        update(n.first_boundary + a, boundary_velocity_gradient(n, a, velocity_.data()));
+        update(n.first_boundary_node + a, boundary_velocity_gradient(n, a, velocity_.data()));
     });
 }
 
@@ -204,7 +204,7 @@ void Friction::predict(ParticleSystem& particles, const FrictionStep& step, Node
                        NodeVectors& gradient) {
     const Neighbours& n = particles.neighbours;
     make_room(n);
-    for (auto* field : {&gradient.x, &gradient.y}) fit(*field, n.first_boundary);
+    for (auto* field : {&gradient.x, &gradient.y}) fit(*field, n.first_boundary_node);
     for (auto* field : {&predicted.x, &predicted.y}) set_beyond_awake(n, *field, 0.0);
     set_momenta(step.iterations > 0 ? step.iterations : iterations_);
     const auto start = [&](int chunk) {

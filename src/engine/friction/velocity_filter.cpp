@@ -40,9 +40,9 @@ double VelocityFilter::apply(ParticleSystem& particles) {
     for (const PairBlock& block : n.blocks) find_change(block, n, soil);
     double taken = 0.0;
     for (int i = 0; i < soil.count; ++i) {
-        if (n.rests(i)) continue;
+        if (n.is_asleep(i)) continue;
         const Vec2 before{soil.vx[i], soil.vy[i]};
-        const Vec2 after = before + share_ / discretisation_.lattice_stiffness * change_[i];
+        const Vec2 after = before + fraction_ / discretisation_.lattice_stiffness * change_[i];
         soil.vx[i] = after.x();
         soil.vy[i] = after.y();
         taken += 0.5 * (before.squaredNorm() - after.squaredNorm());

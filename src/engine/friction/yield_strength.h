@@ -32,13 +32,13 @@ class YieldStrength {
   public:
     YieldStrength(const Material& material, const Effects& effects, std::vector<double> base_ratios);
 
-    /// Yield stress, Pa, of a node whose nearest boundary particle is `boundary` (-1: none near).
-    /// `pore_pressure`, Pa, and `strain_rate`, |e|, 1/s, count only where their effects are there.
+    /// Yield stress, Pa, of a node whose nearest boundary particle has this index in the wall (-1: none
+    /// near). `pore_pressure`, Pa, and `strain_rate`, |e|, 1/s, count only where their effects are there.
     /// `pressure`: Pa.
-    [[nodiscard]] double at(int boundary, double pressure, double pore_pressure, double strain_rate) const {
+    [[nodiscard]] double at(int wall_index, double pressure, double pore_pressure, double strain_rate) const {
         const double p = std::max(wet_ ? pressure - pore_pressure : pressure, -tension_);
-        if (boundary >= 0 && !base_ratios_.empty()) {
-            const double ratio = base_ratios_[static_cast<std::size_t>(boundary)];
+        if (wall_index >= 0 && !base_ratios_.empty()) {
+            const double ratio = base_ratios_[static_cast<std::size_t>(wall_index)];
             if (ratio < sin_phi_) return std::max(0.0, p * ratio + cohesion_ * ratio / sin_phi_);
         }
         const double mu = rate_ && p > 0.0 ? friction(p, strain_rate) : sin_phi_;

@@ -5,15 +5,16 @@
 #include <cmath>
 
 #include "engine/pairs/pair_row.h"
+#include "engine/particles/kernel.h"
 #include "engine/threads/node_array.h"
 #include "engine/threads/parallel.h"
 
 namespace runout {
 namespace {
 
-// Soil that is no denser around a grain than a row of grains so far apart leaves it alone; soil as dense as the
-// closer row is company. In spacings. Pressure in a thinner film would press its grains apart, far beyond what
-// so little depth can press, and films on slopes below repose would creep and spread without end.
+// A grain is alone where the soil around it is no denser than in a row of grains so far apart, and in company
+// where it is as dense as in the closer row. In spacings. Pressure in a film as thin as that would press its
+// grains apart far more than so little depth can, and films on slopes below repose would creep without end.
 constexpr double lone_spacing = 1.6;
 constexpr double company_spacing = 1.3;
 
@@ -24,18 +25,18 @@ double row_sum(const WendlandKernel& kernel, double distance) {
     return sum;
 }
 
-/// Multiplies all wall pairs of a row by `share`.
-void fade(WallRow& row, float share) {
+/// Multiplies all wall pairs of a row by `fraction`.
+void fade(WallRow& row, float fraction) {
     for (WallPair& pair : row.merged) {
         for (float* value : {&pair.gx, &pair.gy, &pair.stiffness, &pair.own_gx, &pair.own_gy})
-            *value *= share;
-        pair.own_kernel *= share;
-        pair.own = pair.own && share > 0.0F;
+            *value *= fraction;
+        pair.own_kernel_value *= fraction;
+        pair.own = pair.own && fraction > 0.0F;
     }
     RowSums& sums = row.sums;
     for (double* value :
-         {&sums.kernel, &sums.stiffness, &sums.surface_x, &sums.surface_y, &sums.xx, &sums.xy, &sums.yy})
-        *value *= share;
+         {&sums.kernel_sum, &sums.stiffness, &sums.surface_x, &sums.surface_y, &sums.xx, &sums.xy, &sums.yy})
+        *value *= fraction;
 }
 
 /// Writes the inverse of the moment matrix; the identity for a particle with too few neighbours to have a
@@ -141,8 +142,8 @@ NeighbourSearch::NeighbourSearch(const Discretisation& discretisation, int threa
     : discretisation_(discretisation), threads_(threads) {
     const WendlandKernel kernel(discretisation.smoothing_length);
     grid_.size = kernel.support() / cells_per_support;
-    lone_kernel_ = row_sum(kernel, lone_spacing * discretisation.spacing);
-    company_kernel_ = row_sum(kernel, company_spacing * discretisation.spacing);
+    lone_kernel_sum_ = row_sum(kernel, lone_spacing * discretisation.spacing);
+    company_kernel_sum_ = row_sum(kernel, company_spacing * discretisation.spacing);
 }
 
 void NeighbourSearch::sort(Soil& soil) {
@@ -167,12 +168,12 @@ void NeighbourSearch::keep_shares(const Neighbours& n) {
         share_rows_[t] = share_blocks_[t] * rows_per_block;
     }
     share_blocks_.back() = static_cast<int>(n.blocks.size());
-    share_rows_.back() = n.first_boundary;
+    share_rows_.back() = n.first_boundary_node;
 }
 
 void NeighbourSearch::find(const Soil& soil, const Wall& wall, Neighbours& n) {
     n.soil_count = soil.count;
-    n.first_boundary = soil.padded();
+    n.first_boundary_node = soil.padded();
     for (auto* field : {&n.stiffness_sum, &n.surface_x, &n.surface_y})
         set_rest(*field, soil.count, soil.padded(), 0.0);
     set_rest(n.density, soil.count, soil.padded(), 1.0);
@@ -201,10 +202,11 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
     block.wall_pairs.clear();
     for (int slice = 0; slice < slices_per_block; ++slice) {
         const int first_row = block.first_row + slice * lanes;
-        const bool rests = first_row < soil.count && n.rests(first_row);  // the last block has fewer rows
+        const bool asleep =
+            first_row < soil.count && n.is_asleep(first_row);  // the last block has fewer rows
         if (first_row < soil.count) std::fill_n(&n.company[first_row], lanes, 1.0F);
         const int last_row = std::min(first_row + lanes, soil.count);
-        finder.find_soil(grid_, soil, first_row, rests ? first_row : last_row, rows.soil);
+        finder.find_soil(grid_, soil, first_row, asleep ? first_row : last_row, rows.soil);
         widen_reach(block, rows.soil);
         std::size_t width = 0;
         for (int l = 0; l < lanes; ++l) {
@@ -222,12 +224,12 @@ void NeighbourSearch::find_block(const Soil& soil, const Wall& wall, Neighbours&
         if (width > 0) {
             write_soil_pairs(block, first, rows.soil, finder, sums);
             clear(block, first + static_cast<std::size_t>(rows.soil.width()) * lanes, last);
-            if (!rests) fade_lone_grains(n, first_row, sums, rows.wall);
+            if (!asleep) fade_lone_grains(n, first_row, sums, rows.wall);
             write_wall_pairs(block, first, first_row, rows);
         }
         for (int l = 0; l < lanes && first_row + l < soil.count; ++l) {
-            if (rests)
-                write_resting_sums(n, first_row + l, rows.wall[l]);
+            if (asleep)
+                write_sleeping_sums(n, first_row + l, rows.wall[l]);
             else
                 write_sums(n, first_row + l, sums, l, rows.wall[l]);
         }
@@ -239,14 +241,15 @@ void NeighbourSearch::fade_lone_grains(Neighbours& n, int first_row, const Slice
                                        std::array<WallRow, lanes>& wall) const {
     for (int l = 0; l < lanes; ++l) {
         // Between the two limits it rises evenly, so that rounding cannot decide what a grain is.
-        const double rise = (soil.kernel[l] - lone_kernel_) / (company_kernel_ - lone_kernel_);
-        const auto share = static_cast<float>(std::clamp(rise, 0.0, 1.0));
-        n.company[first_row + l] = share;
-        if (share < 1.0F) fade(wall[l], share);
+        const double rise =
+            (soil.kernel_sum[l] - lone_kernel_sum_) / (company_kernel_sum_ - lone_kernel_sum_);
+        const auto fraction = static_cast<float>(std::clamp(rise, 0.0, 1.0));
+        n.company[first_row + l] = fraction;
+        if (fraction < 1.0F) fade(wall[l], fraction);
     }
 }
 
-void NeighbourSearch::write_resting_sums(Neighbours& n, int i, const WallRow& wall) const {
+void NeighbourSearch::write_sleeping_sums(Neighbours& n, int i, const WallRow& wall) const {
     n.density[i] = 1.0;
     n.stiffness_sum[i] = n.surface_x[i] = n.surface_y[i] = 0.0;
     n.nearest_boundary[i] = wall.nearest_boundary;
@@ -258,7 +261,7 @@ void NeighbourSearch::write_sums(Neighbours& n, int i, const SliceSums& soil, in
                                  const WallRow& wall) const {
     const RowSums& w = wall.sums;
     const double self = WendlandKernel(discretisation_.smoothing_length).value(0.0);
-    n.density[i] = (self + soil.kernel[lane] + w.kernel) / discretisation_.lattice_sum;
+    n.density[i] = (self + soil.kernel_sum[lane] + w.kernel_sum) / discretisation_.lattice_sum;
     n.stiffness_sum[i] = soil.stiffness[lane] + w.stiffness;
     n.surface_x[i] = soil.surface_x[lane] + w.surface_x;
     n.surface_y[i] = soil.surface_y[lane] + w.surface_y;
@@ -279,20 +282,20 @@ void NeighbourSearch::number_boundary(const Soil& soil, const Wall& wall, Neighb
     n.active.clear();
     for (const PairBlock& block : n.blocks) {
         for (const WallPair& pair : block.wall_pairs) {
-            if (n.node_of_boundary[pair.boundary] >= 0) continue;
-            n.node_of_boundary[pair.boundary] = 0;
-            n.active.push_back(pair.boundary);
+            if (n.node_of_boundary[pair.wall_index] >= 0) continue;
+            n.node_of_boundary[pair.wall_index] = 0;
+            n.active.push_back(pair.wall_index);
         }
     }
     std::sort(n.active.begin(), n.active.end());
-    for (int a = 0; a < n.active_count(); ++a) n.node_of_boundary[n.active[a]] = n.first_boundary + a;
+    for (int a = 0; a < n.active_count(); ++a) n.node_of_boundary[n.active[a]] = n.first_boundary_node + a;
     std::erase_if(n.left, [&](int b) { return n.node_of_boundary[b] >= 0; });
     n.nodes = soil.padded() + n.active_count();
     for_each_share(share_blocks_, [&](int, int first, int last) {
         for (int b = first; b < last; ++b) {
             PairBlock& block = n.blocks[b];
             for (const WallPair& pair : block.wall_pairs)
-                block.column[pair.slot] = n.node_of_boundary[pair.boundary];
+                block.column[pair.slot] = n.node_of_boundary[pair.wall_index];
         }
     });
 }
@@ -310,12 +313,12 @@ void NeighbourSearch::fill_boundary_rows(const Wall& wall, const Soil& soil, Nei
     std::vector<double>& moment = moment_;
     set_all(moment, 4 * count, 0.0);
     for (int a = 0; a < count; ++a) {
-        n.density[n.first_boundary + a] = wall.kernel_sum[n.active[a]];
+        n.density[n.first_boundary_node + a] = wall.kernel_sum[n.active[a]];
         for (int c = 0; c < 4; ++c) moment[4 * a + c] = wall.moment[4 * n.active[a] + c];
     }
     for (const PairBlock& block : n.blocks) {
         for (const WallPair& pair : block.wall_pairs) {
-            ++n.boundary_start[n.node_of_boundary[pair.boundary] - n.first_boundary + 1];
+            ++n.boundary_start[n.node_of_boundary[pair.wall_index] - n.first_boundary_node + 1];
         }
     }
     for (int a = 0; a < count; ++a) n.boundary_start[a + 1] += n.boundary_start[a];
@@ -325,14 +328,14 @@ void NeighbourSearch::fill_boundary_rows(const Wall& wall, const Soil& soil, Nei
     cursor_.assign(n.boundary_start.begin(), n.boundary_start.end());
     for (const PairBlock& block : n.blocks) {
         for (const WallPair& pair : block.wall_pairs) {
-            const int a = n.node_of_boundary[pair.boundary] - n.first_boundary;
+            const int a = n.node_of_boundary[pair.wall_index] - n.first_boundary_node;
             n.boundary_pairs[cursor_[a]++] = {pair.row,       -pair.gx,     -pair.gy,
                                               pair.stiffness, -pair.own_gx, -pair.own_gy};
             if (!pair.own) continue;
             ++n.boundary_soil[a];
-            n.density[n.first_boundary + a] += pair.own_kernel;
-            const double dx = soil.x[pair.row] - wall.x[pair.boundary];
-            const double dy = soil.y[pair.row] - wall.y[pair.boundary];
+            n.density[n.first_boundary_node + a] += pair.own_kernel_value;
+            const double dx = soil.x[pair.row] - wall.x[pair.wall_index];
+            const double dy = soil.y[pair.row] - wall.y[pair.wall_index];
             moment[4 * a + 0] += dx * -pair.own_gx;
             moment[4 * a + 1] += dx * -pair.own_gy;
             moment[4 * a + 2] += dy * -pair.own_gx;
@@ -340,8 +343,8 @@ void NeighbourSearch::fill_boundary_rows(const Wall& wall, const Soil& soil, Nei
         }
     }
     for (int a = 0; a < count; ++a) {
-        n.density[n.first_boundary + a] /= discretisation_.lattice_sum;
-        invert_moment(&moment[4 * a], n, n.first_boundary + a);
+        n.density[n.first_boundary_node + a] /= discretisation_.lattice_sum;
+        invert_moment(&moment[4 * a], n, n.first_boundary_node + a);
     }
 }
 

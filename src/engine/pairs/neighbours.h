@@ -7,7 +7,7 @@
 
 #include "engine/pairs/row_chunks.h"
 #include "engine/particles/cell_grid.h"
-#include "engine/particles/kernel.h"
+#include "engine/particles/discretisation.h"
 #include "engine/particles/soil.h"
 #include "engine/particles/wall.h"
 #include "engine/simd/pair_kernels.h"
@@ -17,12 +17,12 @@ namespace runout {
 /// A pair of soil and wall, seen from the soil. A boundary particle and its dummies (a group) make one pair.
 struct WallPair {
     int row = 0;                   ///< soil particle
-    int boundary = 0;              ///< boundary particle of the wall
+    int wall_index = 0;            ///< of the boundary particle
     int slot = 0;                  ///< its entry in the block's arrays
     float gx = 0, gy = 0;          ///< V gradW, the group's sum, 1/m
     float stiffness = 0;           ///< k, the group's sum
     float own_gx = 0, own_gy = 0;  ///< V gradW of the boundary particle alone
-    double own_kernel = 0;         ///< W of the boundary particle alone
+    double own_kernel_value = 0;   ///< W of the boundary particle alone
     bool own = false;              ///< the boundary particle itself is within the support
 };
 
@@ -55,7 +55,7 @@ struct BoundaryPair {
 /// those with soil within the support of their group.
 struct Neighbours {
     int soil_count = 0;
-    int first_boundary = 0;  ///< node of the first active boundary particle
+    int first_boundary_node = 0;  ///< node of the first active boundary particle
     int nodes = 0;
     std::vector<PairBlock> blocks;
 
@@ -80,12 +80,12 @@ struct Neighbours {
 
     /// Given before the search, per slice: 1 where all its rows sleep and nothing is solved; empty: nothing
     /// sleeps.
-    std::vector<char> resting;
+    std::vector<char> asleep;
 
     RowChunks chunks;  ///< of `blocks`, given to the threads of the search
 
-    [[nodiscard]] bool rests(int i) const {
-        return !resting.empty() && resting[static_cast<std::size_t>(i / lanes)] != 0;
+    [[nodiscard]] bool is_asleep(int i) const {
+        return !asleep.empty() && asleep[static_cast<std::size_t>(i / lanes)] != 0;
     }
 
     [[nodiscard]] int active_count() const { return static_cast<int>(active.size()); }
@@ -109,15 +109,15 @@ class NeighbourSearch {
     void find_block(const Soil& soil, const Wall& wall, Neighbours& n, int block) const;
     void fade_lone_grains(Neighbours& n, int first_row, const SliceSums& soil,
                           std::array<WallRow, lanes>& wall) const;
-    void write_resting_sums(Neighbours& n, int i, const WallRow& wall) const;
+    void write_sleeping_sums(Neighbours& n, int i, const WallRow& wall) const;
     void write_sums(Neighbours& n, int i, const SliceSums& soil, int lane, const WallRow& wall) const;
     void number_boundary(const Soil& soil, const Wall& wall, Neighbours& n);
     void fill_boundary_rows(const Wall& wall, const Soil& soil, Neighbours& n);
 
     Discretisation discretisation_;
     int threads_;
-    double lone_kernel_ = 0;     ///< sum of W over other soil up to which a grain is alone, 1/m2
-    double company_kernel_ = 0;  ///< and from which it is in company
+    double lone_kernel_sum_ = 0;     ///< sum of W over other soil up to which a grain is alone, 1/m2
+    double company_kernel_sum_ = 0;  ///< and from which it is in company
     CellGrid grid_;
     std::vector<int> order_;
     std::array<std::vector<double>, 3> scratch_;

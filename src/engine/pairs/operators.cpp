@@ -11,7 +11,7 @@ PairRows pair_rows(const PairBlock& block, const Neighbours& n) {
     const auto arrays = [](const PairBlock& b) {
         return PairArrays{b.column.data(), b.gx.data(), b.gy.data(), b.stiffness.data()};
     };
-    const int rows = std::min(rows_per_block, n.first_boundary - block.first_row);
+    const int rows = std::min(rows_per_block, n.first_boundary_node - block.first_row);
     const bool last = &block == &n.blocks.back();
     return {arrays(block), block.first_row, rows / lanes, block.offset,
             last ? PairArrays{} : arrays(*(&block + 1))};
@@ -26,9 +26,9 @@ void soil_velocities(const Neighbours& n, const Soil& soil, std::vector<FloatPai
 Vec2 pair_traction(const ParticleSystem& particles, const WallPair& pair) {
     const Soil& soil = particles.soil;
     const Wall& wall = particles.wall;
-    const double p = soil.pressure[pair.row] + wall.pressure[pair.boundary];
-    const double sxx = soil.sxx[pair.row] + wall.sxx[pair.boundary];
-    const double sxy = soil.sxy[pair.row] + wall.sxy[pair.boundary];
+    const double p = soil.pressure[pair.row] + wall.pressure[pair.wall_index];
+    const double sxx = soil.sxx[pair.row] + wall.sxx[pair.wall_index];
+    const double sxy = soil.sxy[pair.row] + wall.sxy[pair.wall_index];
     return {(p + sxx) * pair.gx + sxy * pair.gy, sxy * pair.gx + (p - sxx) * pair.gy};
 }
 

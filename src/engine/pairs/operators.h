@@ -40,11 +40,11 @@ PairRows pair_rows(const PairBlock& block, const Neighbours& n);
 template <class Function>
 void for_each_awake_run(const PairBlock& block, const Neighbours& n, const Function& f) {
     const PairRows all = pair_rows(block, n);
-    if (n.resting.empty()) return f(all, std::min(all.first_row + rows_per_block, n.soil_count));
-    const auto rests = [&](int slice) { return n.rests(all.first_row + slice * lanes); };
+    if (n.asleep.empty()) return f(all, std::min(all.first_row + rows_per_block, n.soil_count));
+    const auto asleep = [&](int slice) { return n.is_asleep(all.first_row + slice * lanes); };
     for (int first = 0; first < all.slices;) {
         int end = first;
-        while (end < all.slices && !rests(end)) ++end;
+        while (end < all.slices && !asleep(end)) ++end;
         if (end > first) {
             PairRows run = all;
             run.first_row += first * lanes;
@@ -60,7 +60,7 @@ void for_each_awake_run(const PairBlock& block, const Neighbours& n, const Funct
 /// undefined and must be written before they are read.
 template <class T>
 void set_beyond_awake(const Neighbours& n, std::vector<T>& field, const T& value) {
-    if (n.resting.empty()) return set_rest(field, n.soil_count, n.nodes, value);
+    if (n.asleep.empty()) return set_rest(field, n.soil_count, n.nodes, value);
     set_all(field, n.nodes, value);
 }
 

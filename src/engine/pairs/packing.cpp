@@ -24,7 +24,7 @@ double edge_length(const Polygon& outline, std::size_t i) {
 
 /// Longest edge that lies on the bed; for a mass in the air, the longest of all.
 std::size_t base_edge(const Mass& mass) {
-    const BedLine bed(mass.bed);
+    const BedLine bed(mass.ground);
     const double tolerance = 1e-6 * std::sqrt(mass.area);
     std::size_t best = 0;
     double best_rank = -1.0;
@@ -70,17 +70,17 @@ bool contains(const Polygon& outline, const Vec2& p) {
 Packing stretched_lattice(const Polygon& outline, const Axes& axes, std::size_t base, double spacing) {
     const double length = edge_length(outline, base);
     const double height = edge_length(outline, (base + 1) % 4);
-    const int columns = std::max(1, static_cast<int>(std::lround(length / spacing)));
-    const int rows = std::max(1, static_cast<int>(std::lround(height / spacing)));
+    const int count_along = std::max(1, static_cast<int>(std::lround(length / spacing)));
+    const int count_up = std::max(1, static_cast<int>(std::lround(height / spacing)));
     Packing packing;
-    for (int i = 0; i < columns; ++i) {
-        for (int j = 0; j < rows; ++j) {
-            const Vec2 p = axes.origin + axes.along * (length * (i + 0.5) / columns) +
-                           axes.up * (height * (j + 0.5) / rows);
+    for (int i = 0; i < count_along; ++i) {
+        for (int j = 0; j < count_up; ++j) {
+            const Vec2 p = axes.origin + axes.along * (length * (i + 0.5) / count_along) +
+                           axes.up * (height * (j + 0.5) / count_up);
             packing.points.push_back(p);
         }
     }
-    packing.spacing = std::sqrt(length * height / (static_cast<double>(columns) * rows));
+    packing.spacing = std::sqrt(length * height / (static_cast<double>(count_along) * count_up));
     return packing;
 }
 
@@ -136,20 +136,20 @@ void settle(Packing& packing, const Polygon& outline, double smoothing_ratio) {
     Soil soil = soil_at(packing.points);
     NeighbourSearch search(d, 1);
     Neighbours n;
-    for (int pass = 0; pass < 200; ++pass) {
+    for (int turn = 0; turn < 200; ++turn) {
         search.sort(soil);
         search.find(soil, shell, n);
         double largest = 0.0;
         for (int i = 0; i < soil.count; ++i) {
             // The sum of gradW points to where it is crowded.
-            Vec2 step = -0.5 * d.volume() * Vec2{n.surface_x[i], n.surface_y[i]};
-            const double size = step.norm();
-            if (size > 0.1 * d.spacing) step *= 0.1 * d.spacing / size;
-            if (!contains(outline, Vec2{soil.x[i], soil.y[i]} + step))
+            Vec2 shift = -0.5 * d.volume() * Vec2{n.surface_x[i], n.surface_y[i]};
+            const double size = shift.norm();
+            if (size > 0.1 * d.spacing) shift *= 0.1 * d.spacing / size;
+            if (!contains(outline, Vec2{soil.x[i], soil.y[i]} + shift))
                 continue;  // squeezed out of a sharp tip
-            soil.x[i] += step.x();
-            soil.y[i] += step.y();
-            largest = std::max(largest, step.norm());
+            soil.x[i] += shift.x();
+            soil.y[i] += shift.y();
+            largest = std::max(largest, shift.norm());
         }
         if (largest < 0.002 * d.spacing) break;
     }
@@ -165,9 +165,9 @@ double uniform_in_unit(std::mt19937_64& generator) {
 void jitter(Packing& packing, const Polygon& outline, int seed) {
     std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
     for (Vec2& point : packing.points) {
-        const Vec2 step{jitter_size * (2.0 * uniform_in_unit(generator) - 1.0),
-                        jitter_size * (2.0 * uniform_in_unit(generator) - 1.0)};
-        const Vec2 moved = point + packing.spacing * step;
+        const Vec2 shift{jitter_size * (2.0 * uniform_in_unit(generator) - 1.0),
+                         jitter_size * (2.0 * uniform_in_unit(generator) - 1.0)};
+        const Vec2 moved = point + packing.spacing * shift;
         if (contains(outline, moved)) point = moved;
     }
 }

@@ -5,12 +5,12 @@
 namespace runout {
 namespace {
 
-WallPair& wall_pair(WallRow& row, int boundary) {
+WallPair& wall_pair(WallRow& row, int wall_index) {
     for (WallPair& pair : row.merged) {
-        if (pair.boundary == boundary) return pair;
+        if (pair.wall_index == wall_index) return pair;
     }
     row.merged.emplace_back();
-    row.merged.back().boundary = boundary;
+    row.merged.back().wall_index = wall_index;
     return row.merged.back();
 }
 
@@ -32,14 +32,14 @@ void merge(const Wall& wall, WallRow& row) {
         pair.own = true;
         pair.own_gx = row.gx[k];
         pair.own_gy = row.gy[k];
-        pair.own_kernel = row.kernel[k];
+        pair.own_kernel_value = row.kernel_value[k];
     }
 }
 
 void sum(WallRow& row) {
     const NearList& near = row.near;
     for (int k = 0; k < near.count; ++k) {
-        row.sums.kernel += row.kernel[k];
+        row.sums.kernel_sum += row.kernel_value[k];
         row.sums.stiffness += row.stiffness[k];
         row.sums.surface_x += row.gx[k];
         row.sums.surface_y += row.gy[k];
@@ -79,7 +79,7 @@ int end_of_column(const CellGrid& grid, const Soil& soil, int first, int last, C
     const long column = grid.column(soil.x[first]);
     int end = first + 1;
     while (end < last && grid.column(soil.x[end]) == column) ++end;
-    cells = {column, column, grid.row(soil.y[first]), grid.row(soil.y[end - 1])};
+    cells = {column, column, grid.tier(soil.y[first]), grid.tier(soil.y[end - 1])};
     return end;
 }
 
@@ -117,11 +117,11 @@ void PairFinder::find_wall(const Wall& wall, double x, double y, WallRow& row) c
     row.nearest_boundary = -1;
     find_near(wall, x, y, support2, row.near);
     if (row.near.count == 0) return;
-    for (auto* field : {&row.gx, &row.gy, &row.stiffness, &row.kernel}) {
+    for (auto* field : {&row.gx, &row.gy, &row.stiffness, &row.kernel_value}) {
         if (field->size() < row.near.column.size()) field->resize(row.near.column.size());
     }
     pair_kernels().pair_geometry({row.near.count, row.near.dx.data(), row.near.dy.data(), row.gx.data(),
-                                  row.gy.data(), row.stiffness.data(), row.kernel.data()},
+                                  row.gy.data(), row.stiffness.data(), row.kernel_value.data()},
                                  constants);
     merge(wall, row);
     sum(row);

@@ -6,6 +6,7 @@
 
 #include "engine/pairs/neighbours.h"
 #include "engine/particles/cell_grid.h"
+#include "engine/particles/discretisation.h"
 #include "engine/particles/kernel.h"
 #include "engine/particles/soil.h"
 #include "engine/particles/wall.h"
@@ -49,7 +50,7 @@ struct NearSlice {
 
 /// Sums over the pairs of one row.
 struct RowSums {
-    double kernel = 0;                    ///< of W, 1/m2
+    double kernel_sum = 0;                ///< of W, 1/m2
     double stiffness = 0;                 ///< of k
     double surface_x = 0, surface_y = 0;  ///< of V gradW, 1/m
     double xx = 0, xy = 0, yy = 0;        ///< moments -V x gradW
@@ -58,7 +59,7 @@ struct RowSums {
 /// Wall particles near one soil particle, merged into their boundary particles.
 struct WallRow {
     NearList near;
-    std::vector<float> gx, gy, stiffness, kernel;
+    std::vector<float> gx, gy, stiffness, kernel_value;
     std::vector<WallPair> merged;
     RowSums sums;
     int nearest_boundary = -1;

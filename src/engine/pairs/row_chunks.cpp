@@ -57,7 +57,7 @@ void RowCutter::find_reach(const Neighbours& n, const Wall& wall) {
         const int b = n.active[a];
         for (int k = wall.neighbour_start[b]; k < wall.neighbour_start[b + 1]; ++k) {
             const int other = n.node_of_boundary[wall.neighbour[k]];
-            if (other >= 0) join(beside_[a], beside_[other - n.first_boundary]);
+            if (other >= 0) join(beside_[a], beside_[other - n.first_boundary_node]);
         }
     }
 }
@@ -111,17 +111,17 @@ void RowCutter::list_chunks(const Neighbours& n, RowChunks& chunks) {
         chunks.list[c].last_block = start_[c + 1];
         std::fill(chunk_of_.begin() + start_[c], chunk_of_.begin() + start_[c + 1], c);
     }
-    for (int a = 0; a < n.active_count(); ++a) ++chunks.list[chunk_of_[beside_[a]]].last_boundary;
+    for (int a = 0; a < n.active_count(); ++a) ++chunks.list[chunk_of_[beside_[a]]].last_active;
     make_room(cursor_, count);
     cursor_.clear();
     int placed = 0;
     for (RowChunk& chunk : chunks.list) {
-        chunk.first_boundary = placed;
-        placed = chunk.last_boundary += placed;
-        cursor_.push_back(chunk.first_boundary);
+        chunk.first_active = placed;
+        placed = chunk.last_active += placed;
+        cursor_.push_back(chunk.first_active);
     }
-    fit(chunks.boundary, n.active_count());
-    for (int a = 0; a < n.active_count(); ++a) chunks.boundary[cursor_[chunk_of_[beside_[a]]]++] = a;
+    fit(chunks.active, n.active_count());
+    for (int a = 0; a < n.active_count(); ++a) chunks.active[cursor_[chunk_of_[beside_[a]]]++] = a;
 }
 
 }  // namespace runout

@@ -9,8 +9,8 @@ struct Wall;
 
 /// Some blocks of pair rows that follow each other, and the boundary particles beside them.
 struct RowChunk {
-    int first_block = 0, last_block = 0;        ///< blocks [first_block, last_block)
-    int first_boundary = 0, last_boundary = 0;  ///< of RowChunks::boundary
+    int first_block = 0, last_block = 0;    ///< blocks [first_block, last_block)
+    int first_active = 0, last_active = 0;  ///< of RowChunks::active
 };
 
 /// The blocks of pair rows, cut into chunks. The two ends of a pair, soil that does not sleep or wall, are in
@@ -19,7 +19,7 @@ struct RowChunk {
 /// another wrote.
 struct RowChunks {
     std::vector<RowChunk> list;
-    std::vector<int> boundary;     ///< active boundary particles, chunk by chunk
+    std::vector<int> active;       ///< indices in Neighbours::active, chunk by chunk
     std::vector<int> share_start;  ///< chunks of thread t: [share_start[t], share_start[t+1]), at least one
 
     [[nodiscard]] int count() const { return static_cast<int>(list.size()); }

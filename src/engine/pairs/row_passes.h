@@ -34,14 +34,14 @@ void for_each_soil(const Neighbours& n, int chunk, const Function& f) {
 template <class Function>
 void for_each_boundary(const Neighbours& n, int chunk, const Function& f) {
     const RowChunk& c = n.chunks.list[chunk];
-    for (int k = c.first_boundary; k < c.last_boundary; ++k) f(n.chunks.boundary[k]);
+    for (int k = c.first_active; k < c.last_active; ++k) f(n.chunks.active[k]);
 }
 
 /// Calls f(i) for the rows of soil of a chunk, asleep or not, then for its boundary nodes.
 template <class Function>
 void for_each_node(const Neighbours& n, int chunk, const Function& f) {
     for_each_soil(n, chunk, f);
-    for_each_boundary(n, chunk, [&](int a) { f(n.first_boundary + a); });
+    for_each_boundary(n, chunk, [&](int a) { f(n.first_boundary_node + a); });
 }
 
 /// Calls f(rows, last) for the rows of a chunk that do not sleep, see for_each_awake_run.

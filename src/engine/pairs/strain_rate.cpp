@@ -19,7 +19,7 @@ Sums sums_of(const PairBlock& block, const Neighbours& n, const Soil& soil, int 
     Sums sums;
     for (int k = block.offset[slice] + lane; k < block.offset[slice + 1]; k += lanes) {
         const int j = block.column[k];
-        if (j >= n.first_boundary) {
+        if (j >= n.first_boundary_node) {
             sums.wall_x += block.gx[k];
             sums.wall_y += block.gy[k];
             continue;
@@ -41,8 +41,8 @@ VelocityGradient gradient_without_slip(const ParticleSystem& particles, const Pa
     const Neighbours& n = particles.neighbours;
     const Soil& soil = particles.soil;
     const Wall& wall = particles.wall;
-    const int boundary = n.nearest_boundary[row];
-    if (boundary < 0) return plain;
+    const int wall_index = n.nearest_boundary[row];
+    if (wall_index < 0) return plain;
     const double b0 = n.correction[0][row];
     const double b1 = n.correction[1][row];
     const double b2 = n.correction[2][row];
@@ -50,7 +50,7 @@ VelocityGradient gradient_without_slip(const ParticleSystem& particles, const Pa
     if (b1 == 0.0 && b2 == 0.0 && b0 == 1.0 && b3 == 1.0) return plain;  // too few neighbours
     const double det = b0 * b3 - b1 * b2;
     const BedLine::Nearest near =
-        wall.line.nearest({soil.x[row], soil.y[row]}, wall.segment[boundary], segments_near);
+        wall.bed_line.nearest({soil.x[row], soil.y[row]}, wall.segment[wall_index], segments_near);
     const Sums soil_sums = sums_of(block, n, soil, row);
     // n . M of the wall, with n the normal. M of the wall is the whole moment matrix less that of the soil.
     const Vec2& normal = near.normal;

@@ -40,7 +40,7 @@ void CellGrid::cover(const std::vector<double>& x, const std::vector<double>& y,
         for (int i = first; i < last; ++i) {
             const Place& place = place_of[i];
             const FilledColumns::Column& c = *columns.find(place.column);
-            cell_of[i] = c.base + static_cast<std::size_t>(place.row - c.low);
+            cell_of[i] = c.base + static_cast<std::size_t>(place.tier - c.low);
         }
     });
 }
@@ -54,7 +54,7 @@ void CellGrid::find_columns(const std::vector<double>& x, const std::vector<doub
         long left = std::numeric_limits<long>::max();
         long right = std::numeric_limits<long>::min();
         for (int i = first; i < last; ++i) {
-            const Place place{static_cast<int>(column(x[i])), static_cast<int>(row(y[i]))};
+            const Place place{static_cast<int>(column(x[i])), static_cast<int>(tier(y[i]))};
             place_of[i] = place;
             left = std::min<long>(left, place.column);
             right = std::max<long>(right, place.column);
@@ -62,7 +62,7 @@ void CellGrid::find_columns(const std::vector<double>& x, const std::vector<doub
         FilledColumns& own = parts_[t].columns;
         if (first == last) return own.open(0, -1);
         own.open(left, right);
-        for (int i = first; i < last; ++i) own.add(place_of[i].column, place_of[i].row, place_of[i].row);
+        for (int i = first; i < last; ++i) own.add(place_of[i].column, place_of[i].tier, place_of[i].tier);
     });
     long left = std::numeric_limits<long>::max();
     long right = std::numeric_limits<long>::min();

@@ -11,14 +11,14 @@ class FilledColumns {
   public:
     struct Column {
         long column = 0;       ///< in cells from the origin of the plane
-        long low = 0;          ///< lowest row, likewise
-        long high = 0;         ///< highest row
+        long low = 0;          ///< lowest tier, likewise
+        long high = 0;         ///< highest tier
         std::size_t base = 0;  ///< number of its lowest cell
     };
 
     /// Empties it, and makes room for columns from `first` to `last`.
     void open(long first, long last);
-    /// A column holds something in the rows from `low` to `high`.
+    /// A column holds something in the tiers from `low` to `high`.
     void add(long column, long low, long high) {
         int& s = slot_[static_cast<std::size_t>(column - first_)];
         if (s < 0) {
@@ -59,13 +59,13 @@ struct CellGrid {
 
     /// Where a point stands, in cells from the origin of the plane.
     struct Place {
-        int column, row;
+        int column, tier;
     };
     std::vector<Place> place_of;       ///< of each point covered last
     std::vector<std::size_t> cell_of;  ///< and its cell
 
     [[nodiscard]] long column(double x) const { return floor_of(x / size); }
-    [[nodiscard]] long row(double y) const { return floor_of(y / size); }
+    [[nodiscard]] long tier(double y) const { return floor_of(y / size); }
 
     /// As std::floor, but without a call; the oldest machines have no instruction for that.
     [[nodiscard]] static long floor_of(double value) {
@@ -82,12 +82,12 @@ struct CellGrid {
     void sort(const std::vector<double>& x, const std::vector<double>& y, const std::vector<int>& shares,
               std::vector<int>& order);
 
-    /// Cells from column to column and row to row, both included, in cells from the origin of the plane.
+    /// Cells from column to column and tier to tier, both included, in cells from the origin of the plane.
     struct Window {
-        long first_column, last_column, first_row, last_row;
+        long first_column, last_column, first_tier, last_tier;
     };
     [[nodiscard]] Window window_of(double x, double y) const {
-        return {column(x), column(x), row(y), row(y)};
+        return {column(x), column(x), tier(y), tier(y)};
     }
 
     /// Calls f(first, last) for each column near a window: the range of its cells within `reach` cells of the
@@ -99,8 +99,8 @@ struct CellGrid {
         for (long c = left; c <= right; ++c) {
             const FilledColumns::Column* column = columns.find(c);
             if (column == nullptr) continue;
-            const long low = std::max(window.first_row - reach, column->low);
-            const long high = std::min(window.last_row + reach, column->high);
+            const long low = std::max(window.first_tier - reach, column->low);
+            const long high = std::min(window.last_tier + reach, column->high);
             if (low > high) continue;
             f(column->base + static_cast<std::size_t>(low - column->low),
               column->base + static_cast<std::size_t>(high - column->low));

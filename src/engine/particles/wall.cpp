@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/particles/kernel.h"
+
 namespace runout {
 namespace {
 
@@ -47,18 +49,18 @@ Polyline walk(const Polyline& chain, double spacing, bool closed) {
         const bool free_start = !closed && i == 0 && last > 0;
         const bool free_end = !closed && i == last;
         if (free_start || free_end) {
-            const int steps = static_cast<int>(ratio + 1e-9);
+            const int gaps = static_cast<int>(ratio + 1e-9);
             const Vec2 from = free_start ? chain[i + 1] : chain[i];
-            const Vec2 step = (free_start ? -1.0 : 1.0) / ratio * along;
-            for (int k = 0; k <= steps; ++k) {
+            const Vec2 gap = (free_start ? -1.0 : 1.0) / ratio * along;
+            for (int k = 0; k <= gaps; ++k) {
                 if (free_start && k == 0) continue;  // the corner belongs to the next piece
-                points.push_back(from + k * step);
+                points.push_back(from + k * gap);
             }
             if (free_start) std::reverse(points.begin(), points.end());
         } else {
-            const int steps = std::max(1, static_cast<int>(std::lround(ratio)));
-            for (int k = 0; k < steps; ++k)
-                points.push_back(chain[i] + along * (static_cast<double>(k) / steps));
+            const int gaps = std::max(1, static_cast<int>(std::lround(ratio)));
+            for (int k = 0; k < gaps; ++k)
+                points.push_back(chain[i] + along * (static_cast<double>(k) / gaps));
         }
     }
     return points;
@@ -155,7 +157,7 @@ void sum_wall_neighbours(Wall& wall, const Discretisation& d) {
 
 Wall make_wall(const BedLine& bed, const Discretisation& d) {
     Wall wall;
-    wall.line = bed;
+    wall.bed_line = bed;
     place_particles(wall, bed, d.spacing);
     tie_dummies(wall, 2.0 * wall_layers * d.spacing);
     wall.grid.size = WendlandKernel(d.smoothing_length).support();

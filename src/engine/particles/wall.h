@@ -4,7 +4,7 @@
 
 #include "engine/particles/bed_line.h"
 #include "engine/particles/cell_grid.h"
-#include "engine/particles/kernel.h"
+#include "engine/particles/discretisation.h"
 
 namespace runout {
 
@@ -13,7 +13,7 @@ namespace runout {
 /// then stands half a spacing off its own outline.) Behind it are layers of dummies, each of which copies the
 /// pressure and the stress of its nearest boundary particle.
 struct Wall {
-    BedLine line{Polyline{}};  ///< the bed that the particles stand for
+    BedLine bed_line{Polyline{}};  ///< the bed that the particles stand for
 
     // Boundary particles first, then dummies, each kind sorted by cell of `grid`.
     std::vector<double> x, y;  ///< m

@@ -125,7 +125,7 @@ void CoarseLevel::carry_on(const FineLevel& fine) {
     for_each_chunk(n.chunks, [&](int chunk) {
         for_each_soil(n, chunk, [&](int i) { cell_[i] = fine.free[i] ? cell_of_id_[soil.id[i]] : -1; });
         for_each_boundary(n, chunk, [&](int a) {
-            const int node = n.first_boundary + a;
+            const int node = n.first_boundary_node + a;
             cell_[node] = fine.free[node] ? wall_cell_[n.active[a]] : -1;
         });
         find_range(n, chunk);
@@ -157,7 +157,7 @@ void CoarseLevel::place_nodes(const FineLevel& fine) {
     };
     const auto cell_of = [&](int node) {
         if (node < n.soil_count) return cell_at(soil.x[node], soil.y[node]);
-        const int b = n.active[node - n.first_boundary];
+        const int b = n.active[node - n.first_boundary_node];
         return cell_at(wall.x[b], wall.y[b]);
     };
     for_each_chunk(n.chunks, [&](int chunk) {
@@ -185,7 +185,8 @@ void CoarseLevel::place_nodes(const FineLevel& fine) {
             cell_[i] = fine.free[i] ? static_cast<int>(at - cells.list.begin()) : -1;
         });
         for_each_soil(n, chunk, [&](int i) { cell_of_id_[soil.id[i]] = cell_[i]; });
-        for_each_boundary(n, chunk, [&](int a) { wall_cell_[n.active[a]] = cell_[n.first_boundary + a]; });
+        for_each_boundary(n, chunk,
+                          [&](int a) { wall_cell_[n.active[a]] = cell_[n.first_boundary_node + a]; });
     });
 }
 
@@ -227,7 +228,7 @@ void CoarseLevel::assemble(const FineLevel& fine, int chunk) {
                       [&](int i, int j, int k) { add(i, j, -static_cast<double>(block.stiffness[k])); });
     }
     for_each_boundary(n, chunk, [&](int a) {
-        const int node = n.first_boundary + a;
+        const int node = n.first_boundary_node + a;
         for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k)
             add(node, n.boundary_pairs[k].soil, -static_cast<double>(n.boundary_pairs[k].stiffness));
         for (int k = wall.neighbour_start[n.active[a]]; k < wall.neighbour_start[n.active[a] + 1]; ++k) {

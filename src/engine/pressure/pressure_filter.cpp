@@ -5,7 +5,7 @@
 namespace runout {
 namespace {
 
-constexpr double share = 0.05;  // of the difference to the neighbours in a step
+constexpr double fraction = 0.05;  // of the difference to the neighbours in a step
 
 }  // namespace
 
@@ -31,13 +31,13 @@ void PressureFilter::apply(const Neighbours& n, const Soil& soil, std::vector<do
             if (j >= n.soil_count) return;
             const Vec2 apart{soil.x[j] - soil.x[i], soil.y[j] - soil.y[i]};
             // The pairs of sleeping soil are not found, so that it has no gradient.
-            const Vec2 mean = n.rests(j) ? gradient_[i] : Vec2(0.5 * (gradient_[i] + gradient_[j]));
+            const Vec2 mean = n.is_asleep(j) ? gradient_[i] : Vec2(0.5 * (gradient_[i] + gradient_[j]));
             change_[i] +=
                 static_cast<double>(block.stiffness[k]) * (pressure[j] - pressure[i] - mean.dot(apart));
         });
     }
     for (int i = 0; i < n.soil_count; ++i)
-        if (!n.rests(i)) pressure[i] += share / lattice_stiffness_ * change_[i];
+        if (!n.is_asleep(i)) pressure[i] += fraction / lattice_stiffness_ * change_[i];
 }
 
 }  // namespace runout

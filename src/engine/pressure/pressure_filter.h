@@ -9,7 +9,7 @@ namespace runout {
 
 /// Takes out of the pressure what alternates from particle to particle. The gradient of pressure does not see
 /// such noise, so nothing else would remove it. As VelocityFilter for the motion, with G the gradient:
-///   p_i += share sum_j w_ij (p_j - p_i - (G_i + G_j)/2 . (x_j - x_i)),   w_ij = k_ij / lattice sum of k.
+///   p_i += fraction sum_j w_ij (p_j - p_i - (G_i + G_j)/2 . (x_j - x_i)),   w_ij = k_ij / lattice sum of k.
 /// This is 0 for any pressure that is quadratic in place, so that it neither carries nor sheds weight.
 class PressureFilter {
   public:

@@ -31,11 +31,11 @@ void PressureSolver::set_up(const ParticleSystem& particles) {
     set_rest(pressure_, soil.count, n.nodes, 0.0);
     set_rest(diagonal_, soil.count, n.nodes, 1.0);
     set_rest(free_, soil.count, n.nodes, char{0});
-    const bool all_awake = n.resting.empty();
+    const bool all_awake = n.asleep.empty();
     for_each_chunk(n.chunks, [&](int chunk) {
         for_each_soil(n, chunk, [&](int i) {
             pressure_[i] = soil.pressure[i];
-            free_[i] = all_awake || !n.rests(i) ? 1 : 0;
+            free_[i] = all_awake || !n.is_asleep(i) ? 1 : 0;
             diagonal_[i] = free_[i] ? n.stiffness_sum[i] : 1.0;
             if (free_[i] && n.density[i] < surface_density) {
                 diagonal_[i] += std::max(0.0, discretisation_.lattice_stiffness - n.stiffness_sum[i]);
@@ -48,7 +48,7 @@ void PressureSolver::set_up(const ParticleSystem& particles) {
 void PressureSolver::set_up_boundary(const ParticleSystem& particles, int a) {
     const Neighbours& n = particles.neighbours;
     const Wall& wall = particles.wall;
-    const int node = n.first_boundary + a;
+    const int node = n.first_boundary_node + a;
     const int b = n.active[a];
     const bool at_surface = n.density[node] < surface_density;
     if (n.boundary_soil[a] == 0) {
@@ -119,7 +119,7 @@ void PressureSolver::find_right_hand_side(TeamMember& member, const ParticleSyst
         }
         for_each_awake(n, chunk, find_divergence);
         for_each_boundary(n, chunk, [&](int a) {
-            const int node = n.first_boundary + a;
+            const int node = n.first_boundary_node + a;
             if (free_[node] && n.density[node] >= surface_density)
                 right_hand_side_[node] = combine(node, boundary_divergence(n, a));
         });
@@ -161,7 +161,7 @@ double PressureSolver::multiply_boundary_row(const ParticleSystem& particles, in
                                              const std::vector<double>& x, std::vector<double>& out) const {
     const Neighbours& n = particles.neighbours;
     const Wall& wall = particles.wall;
-    const int node = n.first_boundary + a;
+    const int node = n.first_boundary_node + a;
     const int b = n.active[a];
     double sum = diagonal_[node] * x[node];
     for (int k = n.boundary_start[a]; k < n.boundary_start[a + 1]; ++k) {
@@ -203,7 +203,7 @@ void PressureSolver::renew_direction(const Neighbours& n, int chunk, double beta
     for_each_awake(n, chunk, [&](const PairRows& rows, int last) {
         for (int i = rows.first_row; i < last; ++i) renew(i);
     });
-    for_each_boundary(n, chunk, [&](int a) { renew(n.first_boundary + a); });
+    for_each_boundary(n, chunk, [&](int a) { renew(n.first_boundary_node + a); });
 }
 
 /// State of the conjugate gradients that all threads see.
@@ -278,7 +278,8 @@ double PressureSolver::carry_pressure(int chunk, double renewal, ParticleSystem&
         settle(soil.pressure[i], i);
         highest = std::max(highest, pressure_[i]);
     });
-    for_each_boundary(n, chunk, [&](int a) { settle(wall.pressure[n.active[a]], n.first_boundary + a); });
+    for_each_boundary(n, chunk,
+                      [&](int a) { settle(wall.pressure[n.active[a]], n.first_boundary_node + a); });
     return highest;
 }
 
@@ -293,7 +294,7 @@ void PressureSolver::find_gradient(const Neighbours& n, NodeVectors& gradient) c
 PressureSolve PressureSolver::solve(ParticleSystem& particles, const NodeVectors& predicted,
                                     const PressureStep& step, NodeVectors& gradient) {
     const Neighbours& n = particles.neighbours;
-    for (auto* field : {&gradient.x, &gradient.y}) fit(*field, n.first_boundary);
+    for (auto* field : {&gradient.x, &gradient.y}) fit(*field, n.first_boundary_node);
     set_up(particles);
     PressureStep start = step;
     if (filter_) {

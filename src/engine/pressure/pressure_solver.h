@@ -20,7 +20,7 @@ struct PressureStep {
     /// (docs/history/stability.md).
     double memory = 0.85;
     bool correct_density = true;  ///< work off density above rho_0
-    /// Share of the new pressure in what soil and wall carry into the next step; the rest is what they
+    /// Fraction of the new pressure in what soil and wall carry into the next step; the rest is what they
     /// carried before. Strength and memory answer a pressure one step late, and against it. Without this mean
     /// the pressure of moving soil alternates from step to step, the more the finer the soil is
     /// (src/engine/README.md).
@@ -65,8 +65,8 @@ class PressureSolver {
 
     /// For cohesive soil, which bears a mean `tension`, Pa. Its surface is free of traction but not of
     /// pressure (without cohesion p = 0 is no traction, since |s| <= p sin(phi)). The projection therefore
-    /// starts from the whole old pressure, freed of noise. Starting from a share of it would shed weight at
-    /// the surface, which the deviatoric stress would have to carry.
+    /// starts from the whole old pressure, freed of noise. Starting from a fraction of it would shed weight
+    /// at the surface, which the deviatoric stress would have to carry.
     void bear_tension(double tension) {
         tension_ = tension;
         filter_.emplace(discretisation_);

@@ -92,8 +92,8 @@ struct PairGeometry {
     const float* dy = nullptr;
     float* gx = nullptr;  ///< V gradW, 1/m
     float* gy = nullptr;
-    float* stiffness = nullptr;  ///< k_ij
-    float* kernel = nullptr;     ///< W, 1/m2
+    float* stiffness = nullptr;     ///< k_ij
+    float* kernel_value = nullptr;  ///< W, 1/m2
 };
 
 /// The pairs of one slice: entry e of lane l stands at 16 e + l. Separations in, geometry out; a separation
@@ -108,7 +108,7 @@ struct SliceGeometry {
 
 /// Sums over the pairs of each lane of a slice, see RowSums.
 struct SliceSums {
-    float kernel[lanes], stiffness[lanes], surface_x[lanes], surface_y[lanes], xx[lanes], xy[lanes],
+    float kernel_sum[lanes], stiffness[lanes], surface_x[lanes], surface_y[lanes], xx[lanes], xy[lanes],
         yy[lanes];
 };
 

@@ -198,7 +198,7 @@ void pressure_product(const PairRows& p, const double* diagonal, const double* x
 
 /// Gradient, k and W of one pair. All are 0 for a pair one support apart.
 struct PairValues {
-    float gx, gy, stiffness, kernel;
+    float gx, gy, stiffness, kernel_value;
 };
 
 inline PairValues pair_values(float dx, float dy, const GeometryConstants& c) {
@@ -218,13 +218,13 @@ void pair_geometry(const PairGeometry& p, const GeometryConstants& constants) {
     float* __restrict__ gx = p.gx;
     float* __restrict__ gy = p.gy;
     float* __restrict__ stiffness = p.stiffness;
-    float* __restrict__ kernel = p.kernel;
+    float* __restrict__ kernel_value = p.kernel_value;
     for (int k = 0; k < p.count; ++k) {
         const PairValues pair = pair_values(dx[k], dy[k], c);
         gx[k] = pair.gx;
         gy[k] = pair.gy;
         stiffness[k] = pair.stiffness;
-        kernel[k] = pair.kernel;
+        kernel_value[k] = pair.kernel_value;
     }
 }
 
@@ -243,7 +243,7 @@ void slice_geometry(const SliceGeometry& slice, const GeometryConstants& constan
             gx[l] = pair.gx;
             gy[l] = pair.gy;
             stiffness[l] = pair.stiffness;
-            total.kernel[l] += pair.kernel;
+            total.kernel_sum[l] += pair.kernel_value;
             total.stiffness[l] += pair.stiffness;
             total.surface_x[l] += pair.gx;
             total.surface_y[l] += pair.gy;

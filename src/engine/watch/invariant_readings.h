@@ -17,7 +17,7 @@ enum class Invariant {
     volume,          ///< area lost by the mean excess of density over the least so far / area
     pressure,        ///< tension beyond what the soil bears / (rho g H)
     residual,        ///< steps in a row whose pressure solve missed its tolerance / 20; ends as not_converged
-    wall_guard,      ///< particles driven into the bed / particles, mean of all steps
+    bed_guard,       ///< particles driven into the bed / particles, mean of all steps
     time_step,       ///< floor of the step / step
     count            ///< how many there are
 };

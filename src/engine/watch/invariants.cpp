@@ -31,7 +31,7 @@ constexpr std::array<Rule, static_cast<int>(Invariant::count)> rules = {{
 
 constexpr double tolerated_misses = 20;     // pressure solves in a row that missed their tolerance
 constexpr double unhurried_nearness = 0.5;  // of a limit; up to here steps are not shortened
-constexpr double guard_grace = 10.0;        // particle-steps driven in before their share is judged
+constexpr double guard_grace = 10.0;        // particle-steps driven in before their fraction is judged
 
 // Of the Courant step at the speed of free fall. Far shorter than any sound run takes; a run whose steps
 // shrink without end is ended here.
@@ -161,8 +161,7 @@ void InvariantWatch::observe(const SoilSurvey& soil, const StepFacts& step) {
     note(Invariant::residual, step.unconverged / tolerated_misses, x);
     driven_in_ += static_cast<double>(step.driven_in) / count;
     const double grace = guard_grace / count;
-    note(Invariant::wall_guard, std::max(0.0, driven_in_ - grace) / static_cast<double>(steps_),
-         step.depth_x);
+    note(Invariant::bed_guard, std::max(0.0, driven_in_ - grace) / static_cast<double>(steps_), step.depth_x);
     const double natural =
         scales_.courant * scales_.spacing / std::sqrt(2.0 * scales_.gravity * scales_.height);
     note(Invariant::time_step, step_floor * natural / step.dt, x);
@@ -170,12 +169,12 @@ void InvariantWatch::observe(const SoilSurvey& soil, const StepFacts& step) {
 
 double InvariantWatch::pace() const {
     double nearness = 0.0;
-    for (const Invariant cause : {Invariant::wall_guard, Invariant::volume}) {
+    for (const Invariant cause : {Invariant::bed_guard, Invariant::volume}) {
         const InvariantReading& reading = readings_[static_cast<std::size_t>(cause)];
         nearness = std::max(nearness, reading.worst / reading.limit);
     }
-    const double share = unhurried_nearness / std::max(unhurried_nearness, nearness);
-    return share * share;
+    const double fraction = unhurried_nearness / std::max(unhurried_nearness, nearness);
+    return fraction * fraction;
 }
 
 }  // namespace runout

@@ -27,7 +27,7 @@ struct StepFacts {
     int unconverged = 0;        ///< steps in a row up to this one that missed the tolerance
     double work_done = 0;       ///< taken from the motion since release, J/kg, mean of the particles
     double work_supplied = 0;   ///< given to it by shaking since release, likewise
-    long driven_in = 0;         ///< particles that the wall guard had to put back
+    long driven_in = 0;         ///< particles that the bed guard had to put back
     double greatest_depth = 0;  ///< behind the bed line after the guard, m
     double depth_x = 0;         ///< where
 };
@@ -63,7 +63,7 @@ class InvariantWatch {
     /// "energy_rise at t = 0.31 s, x = 1.2 m: 0.034, at most 0.02" for the first one violated, if any.
     [[nodiscard]] const std::optional<std::string>& violation() const { return violation_; }
     [[nodiscard]] const InvariantReadings& readings() const { return readings_; }
-    /// What the next time steps are to be multiplied by. 1 as long as the readings of wall_guard and volume
+    /// What the next time steps are to be multiplied by. 1 as long as the readings of bed_guard and volume
     /// are below half of their limits, then less, and a quarter at the limit: long steps drive soil into the
     /// bed and press it together.
     [[nodiscard]] double pace() const;
@@ -81,7 +81,7 @@ class InvariantWatch {
     double start_work_ = 0;
     bool started_ = false;
     double least_crowding_ = 0;  ///< mean excess of density, the least so far
-    double driven_in_ = 0;       ///< sum over steps of the share of particles
+    double driven_in_ = 0;       ///< sum over steps of the fraction of particles
     long steps_ = 0;
 };
 

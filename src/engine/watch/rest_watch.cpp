@@ -6,7 +6,7 @@
 namespace runout {
 namespace {
 
-constexpr double rest_energy = 1e-5;  // energy of the mean motion at rest, share of g sqrt(S)
+constexpr double rest_energy = 1e-5;  // energy of the mean motion at rest, fraction of g sqrt(S)
 constexpr double rest_window = 0.5;   // between two looks, in sqrt(sqrt(S)/g)
 
 /// What counts as rest: every particle within `way` spacings of its place for so many windows.
@@ -78,9 +78,9 @@ double RestWatch::motion_ended() const {
 }
 
 double RestWatch::progress() const {
-    double share = 0.0;
-    for (const Stay& stay : stays_) share = std::max(share, stay.rested / stay.enough);
-    return std::min(1.0, share);
+    double fraction = 0.0;
+    for (const Stay& stay : stays_) fraction = std::max(fraction, stay.rested / stay.enough);
+    return std::min(1.0, fraction);
 }
 
 }  // namespace runout

@@ -137,19 +137,19 @@ void SleepWatch::close_window(const Soil& soil, const std::vector<double>& densi
     opened_ = time;
 }
 
-int SleepWatch::find_resting(const Soil& soil, std::vector<char>& resting) const {
-    resting.clear();
+int SleepWatch::find_sleeping(const Soil& soil, std::vector<char>& asleep) const {
+    asleep.clear();
     if (sleepers_ == 0) return 0;
     const int slices = soil.padded() / lanes;
-    set_all(resting, static_cast<std::size_t>(slices), char{1});
+    set_all(asleep, static_cast<std::size_t>(slices), char{1});
     for (int i = 0; i < soil.count; ++i) {
-        if (!mark_[soil.id[i]].asleep) resting[static_cast<std::size_t>(i / lanes)] = 0;
+        if (!mark_[soil.id[i]].asleep) asleep[static_cast<std::size_t>(i / lanes)] = 0;
     }
     int count = 0;
     for (int s = 0; s < slices; ++s) {
-        if (resting[static_cast<std::size_t>(s)] != 0) count += std::min(lanes, soil.count - s * lanes);
+        if (asleep[static_cast<std::size_t>(s)] != 0) count += std::min(lanes, soil.count - s * lanes);
     }
-    if (count == 0) resting.clear();
+    if (count == 0) asleep.clear();
     return count;
 }
 

@@ -5,7 +5,7 @@
 
 #include "core/geometry.h"
 #include "engine/particles/cell_grid.h"
-#include "engine/particles/kernel.h"
+#include "engine/particles/discretisation.h"
 #include "engine/particles/soil.h"
 
 namespace runout {
@@ -30,10 +30,10 @@ class SleepWatch {
     void append(const Soil& soil);
     /// To be called after each step. `density`: rho / rho_0 per particle.
     void observe(const Soil& soil, const std::vector<double>& density, double time);
-    /// On return `resting` is 1 for each slice of the sorted soil whose particles all sleep; it is empty if
+    /// On return `asleep` is 1 for each slice of the sorted soil whose particles all sleep; it is empty if
     /// there is no such slice. Returns how many particles these slices have. Sleeping soil in a slice with
     /// soil that is awake is treated as awake.
-    int find_resting(const Soil& soil, std::vector<char>& resting) const;
+    int find_sleeping(const Soil& soil, std::vector<char>& asleep) const;
     /// rho / rho_0 that a particle fell asleep with.
     [[nodiscard]] double density(int id) const { return mark_[id].density; }
 

@@ -6,7 +6,7 @@ namespace runout {
 struct WorkCounts {
     long steps = 0;                      ///< since release
     long pressure_iterations = 0;        ///< of all steps
-    long wall_guard_activations = 0;     ///< particles under pressure that were driven into the bed
+    long bed_guard_activations = 0;      ///< particles under pressure that were driven into the bed
     long unconverged_solves = 0;         ///< steps whose pressure equation missed its tolerance
     double particle_steps = 0;           ///< particles, summed over the steps
     double flying_particle_steps = 0;    ///< in free flight, without friction and pressure

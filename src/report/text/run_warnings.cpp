@@ -27,10 +27,10 @@ void add_soundness(std::vector<std::string>& warnings, const StoredRun& run) {
     if (run.work.highest_density_ratio > sound_density)
         warnings.push_back(fmt::format("At some instant soil was {:.3g} times as dense as at the start.",
                                        run.work.highest_density_ratio));
-    if (run.work.wall_guard_activations > 0)
+    if (run.work.bed_guard_activations > 0)
         warnings.push_back(
             fmt::format("Particles had to be put back onto the bed {} times in {} steps of {} particles.",
-                        run.work.wall_guard_activations, run.work.steps, run.work.particles));
+                        run.work.bed_guard_activations, run.work.steps, run.work.particles));
     if (run.measures.stray_particles > 0 && is_result(run.status))
         warnings.push_back(
             fmt::format("{:.0f} particles lie apart from the deposit and are not counted in its front.",

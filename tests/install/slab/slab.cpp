@@ -14,7 +14,7 @@ int main() {
     runout::Problem problem;
     problem.mass.outline = {start, start + length * down, start + length * down + height * up,
                             start + height * up};
-    problem.mass.bed = {{0, 0}, 3 * length * down};
+    problem.mass.ground = {{0, 0}, 3 * length * down};
     problem.mass.area = length * height;
     problem.material.friction_angle = friction_angle;
     problem.settings.particle_spacing = spacing;
