@@ -66,11 +66,10 @@ ProblemScales scales_of(const Problem& problem, const EffectSet& effects) {
 }
 
 /// All soil and the bed. The mass has the first numbers, the layer of an erodible bed those that follow.
-ParticleSystem particles_at_release(const Packing& packing, const Polyline& ground, EffectSet& effects,
-                                    const Discretisation& discretisation) {
+ParticleSystem particles_at_release(const Packing& packing, const Polyline& ground, EffectSet& effects) {
     ParticleSystem particles;
     particles.soil = soil_at(packing.points);
-    particles.wall = make_wall(BedLine(effects.bed_under(ground)), discretisation);
+    particles.wall = effects.wall_under(ground);
     append_soil(particles.soil, effects.layer_soil(ground, particles.soil.count));
     return particles;
 }
@@ -91,7 +90,7 @@ Stepper::Stepper(const Problem& problem, const Packing& packing)
       effects_(problem, discretisation_),
       ground_(problem.mass.ground),
       scales_(scales_of(problem, effects_)),
-      particles_(particles_at_release(packing, problem.mass.ground, effects_, discretisation_)),
+      particles_(particles_at_release(packing, problem.mass.ground, effects_)),
       starts_(positions_of(particles_.soil)),
       search_(discretisation_, threads_),
       friction_(discretisation_, effects_.yield_strength(particles_.wall), settings_.friction,
@@ -175,7 +174,7 @@ void Stepper::let_go_what_is_due() {
 void Stepper::let_go_mass(const Mass& mass) {
     Wall& wall = particles_.wall;
     ground_ = BedLine(mass.ground);
-    wall = make_wall(BedLine(effects_.bed_under(mass.ground)), discretisation_);
+    wall = effects_.wall_under(mass.ground);
     pressure_.forget_wall();
     friction_.set_yield(effects_.yield_strength(wall));
     effects_.take_new_wall(wall);

@@ -123,8 +123,8 @@ void add_stress_command(CommandLine& program) {
                     "Any key run.* of a case file, for all scenes; may be repeated")
         .value_name("key=value")
         .one_value_a_use();
-    add_number_option(command, "--scene", arguments->scene, "Run this one of them only, as the tables number them",
-                      {0, 1e6})
+    add_number_option(command, "--scene", arguments->scene,
+                      "Run this one of them only, as the tables number them", {0, 1e6})
         .default_text("all");
     command.add_option("--db", &arguments->database, "Database that takes the runs; made if absent")
         .value_name("PATH")

@@ -180,11 +180,9 @@ TEST(Operators, EveryInstructionSetGivesTheSameBits) {
             for (const float* part : {g.xx, g.xy, g.yx, g.yy}) keep(std::span(part, rows.slices * lanes));
             std::vector<FloatPair> stress = v;
             StressRotation rotation;
-            rotation.velocity = v.data();
             rotation.dt = 0.001F;
             rotation.stress = stress.data();
             StressUpdate update;
-            update.velocity = v.data();
             for (int c = 0; c < 4; ++c)
                 update.correction[c] = rotation.correction[c] = f.neighbours.correction[c].data();
             update.strength = strength.data();
@@ -192,9 +190,9 @@ TEST(Operators, EveryInstructionSetGivesTheSameBits) {
             update.momentum = 0.4F;
             update.stress = stress.data();
             update.ahead = u.data();
-            kernels.rotate_stress(rows, rotation);
+            kernels.rotate_stress(rows, g, rotation);
             keep_pairs(stress);
-            kernels.update_stress(rows, update);
+            kernels.update_stress(rows, g, update);
             keep_pairs(stress);
             keep_pairs(u);
         }
@@ -217,10 +215,13 @@ TEST(Operators, StressUpdateStaysInTheYieldCircle) {
     const std::vector<float> strength(f.neighbours.nodes, 0.3F);
     std::vector<FloatPair> stress(f.neighbours.nodes);
     std::vector<FloatPair> ahead(f.neighbours.nodes, FloatPair{1.0F, -1.0F});
-    StressUpdate update{velocity.data(), {}, strength.data(), 0.001F, 0.0F, stress.data(), ahead.data()};
+    StressUpdate update{{}, strength.data(), 0.001F, 0.0F, stress.data(), ahead.data()};
     for (int c = 0; c < 4; ++c) update.correction[c] = f.neighbours.correction[c].data();
-    for (const PairBlock& block : f.neighbours.blocks)
-        pair_kernels().update_stress(pair_rows(block, f.neighbours), update);
+    for (const PairBlock& block : f.neighbours.blocks) {
+        VelocityGradients gradients;
+        pair_kernels().velocity_gradient(pair_rows(block, f.neighbours), velocity.data(), gradients);
+        pair_kernels().update_stress(pair_rows(block, f.neighbours), gradients, update);
+    }
     int at_yield = 0;
     for (int i = 0; i < f.soil.count; ++i) {
         const float size = std::hypot(stress[i].x, stress[i].y);
@@ -239,12 +240,14 @@ TEST(Operators, RotationKeepsTheSizeOfTheStressAndTurnsItByTwiceTheAngle) {
     }
     std::vector<FloatPair> stress(f.neighbours.nodes, FloatPair{3.0F, 0.0F});
     StressRotation rotation;
-    rotation.velocity = velocity.data();
     for (int c = 0; c < 4; ++c) rotation.correction[c] = f.neighbours.correction[c].data();
     rotation.dt = 0.01F;
     rotation.stress = stress.data();
-    for (const PairBlock& block : f.neighbours.blocks)
-        pair_kernels().rotate_stress(pair_rows(block, f.neighbours), rotation);
+    for (const PairBlock& block : f.neighbours.blocks) {
+        VelocityGradients gradients;
+        pair_kernels().velocity_gradient(pair_rows(block, f.neighbours), velocity.data(), gradients);
+        pair_kernels().rotate_stress(pair_rows(block, f.neighbours), gradients, rotation);
+    }
     int checked = 0;
     for (int i = 0; i < f.soil.count; ++i) {
         if (f.neighbours.nearest_boundary[i] >= 0) continue;

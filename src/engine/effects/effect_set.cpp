@@ -73,6 +73,12 @@ YieldStrength EffectSet::yield_strength(const Wall& wall) const {
     return {material_, effects_, base_strength_ratios(material_, effects_, wall)};
 }
 
+Wall EffectSet::wall_under(const Polyline& ground) const {
+    Wall wall = make_wall(BedLine(bed_under(ground)), discretisation_);
+    wall.slips = slipping_base(material_, effects_, wall);
+    return wall;
+}
+
 Vec2 EffectSet::body_acceleration(double time) const {
     const Vec2 gravity{0.0, -gravity_};
     return shaking_ ? gravity - shaking_->acceleration(time) : gravity;

@@ -40,6 +40,8 @@ class EffectSet {
     // Strength.
 
     [[nodiscard]] YieldStrength yield_strength(const Wall& wall) const;
+    /// Wall particles along the bed that the effects make of `ground`.
+    [[nodiscard]] Wall wall_under(const Polyline& ground) const;
     /// Strength on the bed at x over the effective pressure.
     [[nodiscard]] double base_strength(double x) const { return base_strength_ratio(material_, effects_, x); }
     /// Greatest mean tension that the soil bears, Pa; 0 without cohesion.

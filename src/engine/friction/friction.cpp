@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/friction/slipping_base.h"
 #include "engine/pairs/operators.h"
 #include "engine/pairs/row_passes.h"
 #include "engine/pairs/strain_rate.h"
@@ -48,12 +49,29 @@ void Friction::load(const ParticleSystem& particles, int chunk) {
     });
 }
 
+/// Calls f(block, i, gradient) with the plain gradient of velocity_ at every row of soil of a chunk, slip on
+/// the base left out.
+template <class Function>
+void Friction::for_each_gradient(const ParticleSystem& particles, int chunk, const Function& f) const {
+    const Neighbours& n = particles.neighbours;
+    const RowChunk& c = n.chunks.list[chunk];
+    for (int b = c.first_block; b < c.last_block; ++b) {
+        const PairRows rows = pair_rows(n.blocks[b], n);
+        VelocityGradients g;
+        find_gradients(rows, particles, g);
+        for (int k = 0; k < rows_per_block && rows.first_row + k < n.soil_count; ++k)
+            f(n.blocks[b], rows.first_row + k, VelocityGradient{g.xx[k], g.xy[k], g.yx[k], g.yy[k]});
+    }
+}
+
 /// |e| of the velocity at the start of the step. A boundary particle has the mean rate of the soil on it.
 void Friction::find_strain_rate(TeamMember& member, const ParticleSystem& particles) {
     const Neighbours& n = particles.neighbours;
     const auto of_soil = [&](const PairBlock& block, int i, const VelocityGradient& plain) {
-        const VelocityGradient g =
-            gradient_without_slip(particles, block, i, plain, discretisation_.spacing).corrected(n, i);
+        const bool slips = n.nearest_boundary[i] >= 0 && particles.wall.slips_at(n.nearest_boundary[i]);
+        const VelocityGradient whole =
+            slips ? plain : gradient_without_slip(particles, block, i, plain, discretisation_.spacing);
+        const VelocityGradient g = whole.corrected(n, i);
         strain_rate_[i] = std::hypot(g.exx(), g.exy());
     };
     const auto of_boundary = [&](int a) {
@@ -67,7 +85,7 @@ void Friction::find_strain_rate(TeamMember& member, const ParticleSystem& partic
     };
     member.for_each_pass(2, [&](int pass, int chunk) {
         if (pass == 1) return for_each_boundary(n, chunk, of_boundary);
-        for_each_velocity_gradient(n, chunk, velocity_.data(), of_soil);
+        for_each_gradient(particles, chunk, of_soil);
     });
 }
 
@@ -77,7 +95,7 @@ void Friction::find_strength(const Neighbours& n, int chunk, const std::vector<d
         const double rate = yield_.depends_on_rate() ? strain_rate_[node] : 0.0;
         strength_[node] = static_cast<float>(yield_.at(wall_index, pressure_[node], pore, rate));
     };
-    for_each_soil(n, chunk, [&](int i) { find(i, n.nearest_boundary[i]); });
+    for_each_soil(n, chunk, [&](int i) { find(i, -1); });
     for_each_boundary(n, chunk, [&](int a) { find(n.first_boundary_node + a, n.active[a]); });
 }
 
@@ -110,18 +128,33 @@ void Friction::start_rows(const PairRows& rows, int last, const ParticleSystem& 
             static_cast<float>(soil.vy[i] - scale * gradient.y[i] + gain.y() + step.dt * soil.contact_y[i])};
     }
     StressRotation rotation;
-    rotation.velocity = velocity_.data();
     for (int c = 0; c < 4; ++c) rotation.correction[c] = n.correction[c].data();
     rotation.dt = static_cast<float>(step.dt);
     rotation.stress = stress_.data();
-    pair_kernels().rotate_stress(rows, rotation);
+    VelocityGradients gradients;
+    find_gradients(rows, particles, gradients);
+    pair_kernels().rotate_stress(rows, gradients, rotation);
     std::copy_n(&stress_[rows.first_row], rows.slices * lanes, &ahead_[rows.first_row]);
 }
 
+/// Plain gradients of velocity_, slip on the base left out.
+void Friction::find_gradients(const PairRows& rows, const ParticleSystem& particles,
+                              VelocityGradients& gradients) const {
+    pair_kernels().velocity_gradient(rows, velocity_.data(), gradients);
+    leave_out_slip(rows, particles.neighbours, particles.wall, velocity_.data(), gradients);
+}
+
+/// div s into force_.
+void Friction::find_force(const PairRows& rows, const ParticleSystem& particles,
+                          const std::vector<FloatPair>& stress) {
+    pair_kernels().stress_divergence(rows, stress.data(), force_.data());
+    carry_by_wall(rows, particles.neighbours, particles.wall, stress.data(), force_.data());
+}
+
 /// v~ = base velocity - dt div(ahead s) / rho.
-void Friction::trial_velocity(const PairRows& rows, int last, double dt) {
+void Friction::trial_velocity(const PairRows& rows, int last, const ParticleSystem& particles, double dt) {
     const auto scale = static_cast<float>(dt / discretisation_.density);
-    pair_kernels().stress_divergence(rows, ahead_.data(), force_.data());
+    find_force(rows, particles, ahead_);
     for (int i = rows.first_row; i < last; ++i) {
         velocity_[i] = {base_velocity_[i].x - scale * force_[i].x, base_velocity_[i].y - scale * force_[i].y};
     }
@@ -134,16 +167,17 @@ const std::array<std::vector<float>, 4>& Friction::correction(const Neighbours& 
 
 /// s <- bound(ahead + 2 r e(v~)), then ahead <- s + momentum (s - old s). r = 0.25 rho dl^2 / dt keeps the
 /// iteration stable for the lattice's stiffest mode.
-void Friction::project(const PairRows& rows, const Neighbours& n, double step, double momentum) {
+void Friction::project(const PairRows& rows, const ParticleSystem& particles, double step, double momentum) {
+    VelocityGradients gradients;
+    find_gradients(rows, particles, gradients);
     StressUpdate update;
-    update.velocity = velocity_.data();
-    for (int c = 0; c < 4; ++c) update.correction[c] = correction(n)[c].data();
+    for (int c = 0; c < 4; ++c) update.correction[c] = correction(particles.neighbours)[c].data();
     update.strength = strength_.data();
     update.step = static_cast<float>(step);
     update.momentum = static_cast<float>(momentum);
     update.stress = stress_.data();
     update.ahead = ahead_.data();
-    pair_kernels().update_stress(rows, update);
+    pair_kernels().update_stress(rows, gradients, update);
 }
 
 /// As PairKernels::update_stress, at active boundary particle `a`.
@@ -161,27 +195,28 @@ void Friction::project_boundary(const Neighbours& n, int a, double step, float m
 }
 
 /// Eq. 8 from the velocity at the start of the step.
-void Friction::yield_from_strain_rate(const Neighbours& n, int chunk) {
+void Friction::yield_from_strain_rate(const ParticleSystem& particles, int chunk) {
+    const Neighbours& n = particles.neighbours;
     const auto update = [&](int i, const VelocityGradient& plain) {
         const VelocityGradient g = plain.corrected(n, i);
         const double rate = std::hypot(g.exx(), g.exy());
         const double scale = rate > 0.0 ? strength_[i] / rate : 0.0;
         stress_[i] = {static_cast<float>(scale * g.exx()), static_cast<float>(scale * g.exy())};
     };
-    for_each_velocity_gradient(
-        n, chunk, velocity_.data(),
-        [&](const PairBlock&, int i, const VelocityGradient& plain) { update(i, plain); });
+    for_each_gradient(particles, chunk,
+                      [&](const PairBlock&, int i, const VelocityGradient& plain) { update(i, plain); });
     for_each_boundary(n, chunk, [&](int a) {
         update(n.first_boundary_node + a, boundary_velocity_gradient(n, a, velocity_.data()));
     });
 }
 
 /// v* = v^n + dt (g - div s / rho), eq. 3.
-void Friction::final_velocity(const PairRows& rows, int last, const Soil& soil, const FrictionStep& step,
-                              NodeVectors& predicted) {
+void Friction::final_velocity(const PairRows& rows, int last, const ParticleSystem& particles,
+                              const FrictionStep& step, NodeVectors& predicted) {
+    const Soil& soil = particles.soil;
     const double scale = step.dt / discretisation_.density;
     const Vec2 gain = step.dt * step.body;
-    pair_kernels().stress_divergence(rows, stress_.data(), force_.data());
+    find_force(rows, particles, stress_);
     for (int i = rows.first_row; i < last; ++i) {
         predicted.x[i] = soil.vx[i] - scale * force_[i].x + gain.x();
         predicted.y[i] = soil.vy[i] - scale * force_[i].y + gain.y();
@@ -215,33 +250,36 @@ void Friction::predict(ParticleSystem& particles, const FrictionStep& step, Node
     };
     const auto finish = [&](int chunk) {
         for_each_awake(n, chunk, [&](const PairRows& rows, int last) {
-            final_velocity(rows, last, particles.soil, step, predicted);
+            final_velocity(rows, last, particles, step, predicted);
         });
         save(chunk, particles);
     };
     with_team(n.chunks, signals_, [&](TeamMember& member) {
         member.for_each_pass(1, [&](int, int chunk) { load(particles, chunk); });
         if (yield_.depends_on_rate()) find_strain_rate(member, particles);
-        if (scheme_ == FrictionScheme::projected) return iterate(member, n, step.dt, start, finish);
+        if (scheme_ == FrictionScheme::projected) return iterate(member, particles, step.dt, start, finish);
         member.for_each_pass(2, [&](int pass, int chunk) {
             if (pass == 1) return finish(chunk);
             find_strength(n, chunk, step.pore_pressure);
-            yield_from_strain_rate(n, chunk);
+            yield_from_strain_rate(particles, chunk);
         });
     });
 }
 
 /// Passes: the start, then for each iteration a trial velocity and a projection, then the end.
 template <class Start, class Finish>
-void Friction::iterate(TeamMember& member, const Neighbours& n, double dt, const Start& start,
+void Friction::iterate(TeamMember& member, const ParticleSystem& particles, double dt, const Start& start,
                        const Finish& finish) {
+    const Neighbours& n = particles.neighbours;
     const int final_pass = 2 * static_cast<int>(momenta_.size()) + 1;
     const double stress_step = 0.5 * discretisation_.density * discretisation_.volume() / dt;
     const auto try_velocity = [&](int chunk) {
-        for_each_awake(n, chunk, [&](const PairRows& rows, int last) { trial_velocity(rows, last, dt); });
+        for_each_awake(n, chunk,
+                       [&](const PairRows& rows, int last) { trial_velocity(rows, last, particles, dt); });
     };
     const auto project_stress = [&](int chunk, double momentum) {
-        for_each_awake(n, chunk, [&](const PairRows& rows, int) { project(rows, n, stress_step, momentum); });
+        for_each_awake(n, chunk,
+                       [&](const PairRows& rows, int) { project(rows, particles, stress_step, momentum); });
         for_each_boundary(n, chunk,
                           [&](int a) { project_boundary(n, a, stress_step, static_cast<float>(momentum)); });
     };

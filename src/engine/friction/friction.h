@@ -53,17 +53,23 @@ class Friction {
     void save(int chunk, ParticleSystem& particles) const;
     void set_momenta(int iterations);
     template <class Start, class Finish>
-    void iterate(TeamMember& member, const Neighbours& n, double dt, const Start& start,
+    void iterate(TeamMember& member, const ParticleSystem& particles, double dt, const Start& start,
                  const Finish& finish);
     void start_rows(const PairRows& rows, int last, const ParticleSystem& particles, const FrictionStep& step,
                     NodeVectors& gradient);
-    void trial_velocity(const PairRows& rows, int last, double dt);
+    void find_gradients(const PairRows& rows, const ParticleSystem& particles,
+                        VelocityGradients& gradients) const;
+    void find_force(const PairRows& rows, const ParticleSystem& particles,
+                    const std::vector<FloatPair>& stress);
+    template <class Function>
+    void for_each_gradient(const ParticleSystem& particles, int chunk, const Function& f) const;
+    void trial_velocity(const PairRows& rows, int last, const ParticleSystem& particles, double dt);
     [[nodiscard]] const std::array<std::vector<float>, 4>& correction(const Neighbours& n) const;
-    void project(const PairRows& rows, const Neighbours& n, double step, double momentum);
+    void project(const PairRows& rows, const ParticleSystem& particles, double step, double momentum);
     void project_boundary(const Neighbours& n, int a, double step, float momentum);
-    void yield_from_strain_rate(const Neighbours& n, int chunk);
-    void final_velocity(const PairRows& rows, int last, const Soil& soil, const FrictionStep& step,
-                        NodeVectors& predicted);
+    void yield_from_strain_rate(const ParticleSystem& particles, int chunk);
+    void final_velocity(const PairRows& rows, int last, const ParticleSystem& particles,
+                        const FrictionStep& step, NodeVectors& predicted);
 
     Discretisation discretisation_;
     YieldStrength yield_;

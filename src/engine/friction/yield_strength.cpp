@@ -36,6 +36,14 @@ std::vector<double> base_strength_ratios(const Material& material, const Effects
     return ratios;
 }
 
+std::vector<char> slipping_base(const Material& material, const Effects& effects, const Wall& wall) {
+    const double own = std::sin(material.friction_angle);
+    std::vector<char> slips;
+    for (const double ratio : base_strength_ratios(material, effects, wall))
+        slips.push_back(ratio < own ? 1 : 0);
+    return slips;
+}
+
 double tension_cut_off(const Material& material, const Effects& effects) {
     if (!effects.cohesion) return 0.0;
     const double uniaxial = effects.cohesion->strength * std::cos(material.friction_angle) /

@@ -19,6 +19,10 @@ double least_strength(const Material& material, const Effects& effects);
 /// base_strength_ratio per boundary particle. Empty where the whole bed is rough.
 std::vector<double> base_strength_ratios(const Material& material, const Effects& effects, const Wall& wall);
 
+/// Per boundary particle, 1 where the base is weaker than the soil, see Wall::slips. Empty where the whole
+/// bed is rough.
+std::vector<char> slipping_base(const Material& material, const Effects& effects, const Wall& wall);
+
 /// Greatest mean tension that the soil bears, Pa: as given, or that of uniaxial tension at yield,
 /// c cos(phi)/(1 + sin(phi)). 0 without cohesion.
 double tension_cut_off(const Material& material, const Effects& effects);
@@ -26,14 +30,12 @@ double tension_cut_off(const Material& material, const Effects& effects);
 /// Yield stress of Coulomb soil,
 ///   |s| <= c cos(phi) + max(p - u, -T) mu,   mu = sin(phi), or mu(I) where friction depends on the rate.
 /// On a weaker base tan(delta) takes the place of sin(phi), and cohesion is reduced in the same proportion.
-/// All soil within the kernel's reach of the bed gets that strength, since it carries the traction to the
-/// bed.
 class YieldStrength {
   public:
     YieldStrength(const Material& material, const Effects& effects, std::vector<double> base_ratios);
 
-    /// Yield stress, Pa, of a node whose nearest boundary particle has this index in the wall (-1: none
-    /// near). `pore_pressure`, Pa, and `strain_rate`, |e|, 1/s, count only where their effects are there.
+    /// Yield stress, Pa, of the boundary particle of this index in the wall, or of soil (-1).
+    /// `pore_pressure`, Pa, and `strain_rate`, |e|, 1/s, count only where their effects are there.
     /// `pressure`: Pa.
     [[nodiscard]] double at(int wall_index, double pressure, double pore_pressure, double strain_rate) const {
         const double p = std::max(wet_ ? pressure - pore_pressure : pressure, -tension_);

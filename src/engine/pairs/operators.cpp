@@ -27,8 +27,9 @@ Vec2 pair_traction(const ParticleSystem& particles, const WallPair& pair) {
     const Soil& soil = particles.soil;
     const Wall& wall = particles.wall;
     const double p = soil.pressure[pair.row] + wall.pressure[pair.wall_index];
-    const double sxx = soil.sxx[pair.row] + wall.sxx[pair.wall_index];
-    const double sxy = soil.sxy[pair.row] + wall.sxy[pair.wall_index];
+    const bool slips = wall.slips_at(pair.wall_index);
+    const double sxx = (slips ? wall.sxx[pair.wall_index] : soil.sxx[pair.row]) + wall.sxx[pair.wall_index];
+    const double sxy = (slips ? wall.sxy[pair.wall_index] : soil.sxy[pair.row]) + wall.sxy[pair.wall_index];
     return {(p + sxx) * pair.gx + sxy * pair.gy, sxy * pair.gx + (p - sxx) * pair.gy};
 }
 

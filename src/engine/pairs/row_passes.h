@@ -51,18 +51,6 @@ void for_each_awake(const Neighbours& n, int chunk, const Function& f) {
     for (int b = c.first_block; b < c.last_block; ++b) for_each_awake_run(n.blocks[b], n, f);
 }
 
-/// Calls f(block, i, gradient) with the plain velocity gradient of every row of soil of a chunk.
-template <class Function>
-void for_each_velocity_gradient(const Neighbours& n, int chunk, const FloatPair* velocity,
-                                const Function& f) {
-    const RowChunk& c = n.chunks.list[chunk];
-    for (int b = c.first_block; b < c.last_block; ++b) {
-        for_each_velocity_gradient(n.blocks[b], n, velocity, [&](int i, const VelocityGradient& gradient) {
-            f(n.blocks[b], i, gradient);
-        });
-    }
-}
-
 /// Calls f(c) for each chunk, each thread its share.
 template <class Function>
 void for_each_chunk(const RowChunks& chunks, const Function& f) {

@@ -19,7 +19,10 @@ struct Wall {
     std::vector<double> x, y;  ///< m
     std::vector<int> group;    ///< index of the boundary particle whose values this particle has
     int boundary_count = 0;
-    std::vector<int> segment;                  ///< of the bed line, for boundary particles
+    std::vector<int> segment;  ///< of the bed line, for boundary particles
+    /// Per boundary particle, 1 where the base is weaker than the soil and the soil slips on it; empty:
+    /// nowhere.
+    std::vector<char> slips;
     CellGrid grid;                             ///< cells of one kernel support over all wall particles
     std::vector<int> order;                    ///< wall particles by cell: grid.start indexes this
     std::vector<double> ordered_x, ordered_y;  ///< positions in that order, m
@@ -35,6 +38,9 @@ struct Wall {
     std::vector<double> pressure, sxx, sxy;  ///< Pa
 
     [[nodiscard]] int size() const { return static_cast<int>(x.size()); }
+    [[nodiscard]] bool slips_at(int boundary) const {
+        return !slips.empty() && slips[static_cast<std::size_t>(boundary)] != 0;
+    }
 };
 
 /// Wall particles along the bed line.

@@ -43,10 +43,9 @@ struct VelocityGradients {
 
 /// One projected iteration of the friction, node arrays; see Friction.
 struct StressUpdate {
-    const FloatPair* velocity = nullptr;  ///< trial velocity, m/s
-    const float* correction[4] = {};      ///< inverse moment matrix of eq. 9, row-major
-    const float* strength = nullptr;      ///< p sin(phi), Pa
-    float step = 0;                       ///< 2 r, Pa s
+    const float* correction[4] = {};  ///< inverse moment matrix of eq. 9, row-major
+    const float* strength = nullptr;  ///< p sin(phi), Pa
+    float step = 0;                   ///< 2 r, Pa s
     float momentum = 0;
     FloatPair* stress = nullptr;  ///< sxx and sxy, Pa
     FloatPair* ahead = nullptr;   ///< stress extrapolated by `momentum`
@@ -54,10 +53,9 @@ struct StressUpdate {
 
 /// Rotation of the stress with the soil, node arrays; see Friction.
 struct StressRotation {
-    const FloatPair* velocity = nullptr;  ///< m/s
-    const float* correction[4] = {};      ///< inverse moment matrix of eq. 9, row-major
-    float dt = 0;                         ///< s
-    FloatPair* stress = nullptr;          ///< sxx and sxy, Pa
+    const float* correction[4] = {};  ///< inverse moment matrix of eq. 9, row-major
+    float dt = 0;                     ///< s
+    FloatPair* stress = nullptr;      ///< sxx and sxy, Pa
 };
 
 /// Asks which particles of some ranges are near a point.
@@ -135,12 +133,14 @@ struct PairKernels {
     void (*velocity_divergence)(const PairRows& rows, const FloatPair* velocity, double* divergence);
     /// gradient = sum_j V (v_j - v_i) (x) gradW.
     void (*velocity_gradient)(const PairRows& rows, const FloatPair* velocity, VelocityGradients& gradients);
-    /// s <- bound(ahead + 2 r e(v)), |s| <= strength; then ahead <- s + momentum (s - old s). For the block's
-    /// rows.
-    void (*update_stress)(const PairRows& rows, const StressUpdate& update);
-    /// Turns s by the spin of the soil over dt (Jaumann; the rational form of the rotation keeps |s|). For
-    /// the block's rows.
-    void (*rotate_stress)(const PairRows& rows, const StressRotation& rotation);
+    /// s <- bound(ahead + 2 r e(v)), |s| <= strength; then ahead <- s + momentum (s - old s), with the plain
+    /// gradients of the trial velocity. For the block's rows.
+    void (*update_stress)(const PairRows& rows, const VelocityGradients& gradients,
+                          const StressUpdate& update);
+    /// Turns s by the spin of the soil over dt (Jaumann; the rational form of the rotation keeps |s|), with
+    /// the plain gradients of its velocity. For the block's rows.
+    void (*rotate_stress)(const PairRows& rows, const VelocityGradients& gradients,
+                          const StressRotation& rotation);
     /// out = d_i x_i - sum_j k_ij x_j: rows of the pressure matrix with the given diagonal.
     void (*pressure_product)(const PairRows& rows, const double* diagonal, const double* x, double* out);
     /// Writes index and separation of all that is nearer than the square root of `support2`, in order, and

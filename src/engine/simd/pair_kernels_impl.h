@@ -125,9 +125,7 @@ void velocity_gradient(const PairRows& p, const FloatPair* velocity, VelocityGra
     }
 }
 
-void update_stress(const PairRows& p, const StressUpdate& update) {
-    VelocityGradients g;
-    velocity_gradient(p, update.velocity, g);
+void update_stress(const PairRows& p, const VelocityGradients& g, const StressUpdate& update) {
     const float* __restrict__ b0 = update.correction[0] + p.first_row;
     const float* __restrict__ b1 = update.correction[1] + p.first_row;
     const float* __restrict__ b2 = update.correction[2] + p.first_row;
@@ -158,9 +156,7 @@ void update_stress(const PairRows& p, const StressUpdate& update) {
     }
 }
 
-void rotate_stress(const PairRows& p, const StressRotation& rotation) {
-    VelocityGradients g;
-    velocity_gradient(p, rotation.velocity, g);
+void rotate_stress(const PairRows& p, const VelocityGradients& g, const StressRotation& rotation) {
     const float* __restrict__ b0 = rotation.correction[0] + p.first_row;
     const float* __restrict__ b1 = rotation.correction[1] + p.first_row;
     const float* __restrict__ b2 = rotation.correction[2] + p.first_row;
