@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "core/input_error.h"
+#include "core/output_file.h"
 #include "program/answer.h"
 #include "program/command.h"
 #include "program/common_options.h"
@@ -17,9 +19,12 @@
 #include "report/text/stress_table.h"
 #include "store/store.h"
 #include "store/write_ahead.h"
+#include "stress/stress_case.h"
 
 namespace runout {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr int all_scenes = -1;
 
@@ -29,6 +34,7 @@ struct StressArguments {
     std::vector<std::string> ranges;
     std::vector<std::string> settings;
     int scene = all_scenes;
+    std::string case_file;
     std::string database = "stress.db";
     int jobs = default_jobs();
     bool quiet = false;
@@ -74,8 +80,26 @@ std::pair<std::string, std::string> split(const std::string& setting) {
     return {setting.substr(0, equals), setting.substr(equals + 1)};
 }
 
+void check_scene(const StressArguments& arguments) {
+    if (arguments.scene >= arguments.scenes)
+        throw InputError(option_place("--scene", fmt::format("{}", arguments.scene)),
+                         "is not among the scenes", fmt::format("give 0 to {}", arguments.scenes - 1));
+    if (!arguments.case_file.empty() && arguments.scene == all_scenes)
+        throw InputError(option_place("--case", arguments.case_file), "is of one scene", "give --scene too");
+}
+
+/// Writes the scene as a case and, beside it, its section.
+void write_case(const StressArguments& arguments, const StressPoint& point, const StressOptions& options) {
+    const fs::path section = fs::path(arguments.case_file).replace_extension(".csv");
+    const StressCase made = stress_case(point, stress_name(arguments.seed, arguments.scene),
+                                        section.filename().string(), options.settings);
+    write_output_file(section.string(), "--case", made.section);
+    write_output_file(arguments.case_file, "--case", made.text);
+}
+
 int stress(const StressArguments& arguments) {
     if (arguments.quiet) log_errors_only();
+    check_scene(arguments);
     std::vector<StressAxis> axes = stress_axes();
     for (const std::string& range : arguments.ranges) narrow(axes, range);
     const WriteAheadLog log_of_writes(arguments.database);
@@ -91,6 +115,8 @@ int stress(const StressArguments& arguments) {
     };
     if (arguments.scene != all_scenes) options.only = arguments.scene;
     const auto points = stress_points(axes, arguments.scenes, arguments.seed);
+    if (!arguments.case_file.empty())
+        write_case(arguments, points[static_cast<std::size_t>(arguments.scene)], options);
     const auto outcomes = run_stress(points, arguments.seed, store, options);
     print_text(stress_table(outcomes, axes));
     if (interrupt.requested()) return exit_code::interrupted;
@@ -126,6 +152,10 @@ void add_stress_command(CommandLine& program) {
     add_number_option(command, "--scene", arguments->scene,
                       "Run this one of them only, as the tables number them", {0, 1e6})
         .default_text("all");
+    command
+        .add_option("--case", &arguments->case_file,
+                    "Write that scene as a case that runs to the same bits, and its section beside it")
+        .value_name("FILE");
     command.add_option("--db", &arguments->database, "Database that takes the runs; made if absent")
         .value_name("PATH")
         .show_default();

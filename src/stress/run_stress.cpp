@@ -31,7 +31,7 @@ RunSettings settings_for(RunSettings run, const StressOptions& options) {
 
 std::optional<Scene> scene_or_refusal(StressOutcome& outcome, std::uint64_t seed) {
     try {
-        return stress_scene(outcome.point, fmt::format("stress-{}-{}", seed, outcome.index));
+        return stress_scene(outcome.point, stress_name(seed, outcome.index));
     } catch (const InputError& error) {
         outcome.refusal = error.what();
         return std::nullopt;
@@ -39,6 +39,10 @@ std::optional<Scene> scene_or_refusal(StressOutcome& outcome, std::uint64_t seed
 }
 
 }  // namespace
+
+std::string stress_name(std::uint64_t seed, int index) {
+    return fmt::format("stress-{}-{}", seed, index);
+}
 
 bool is_sound(const StressOutcome& outcome) {
     return !outcome.refusal.empty() || (outcome.result && is_result(outcome.result->status));

@@ -23,12 +23,15 @@ struct StressOutcome {
 
 struct StressOptions {
     int jobs = 1;
-    std::optional<int> only;  ///< index of the one scene to run; absent: all
+    std::optional<int> only = std::nullopt;  ///< index of the one scene to run; absent: all
     /// Keys "run.*" of a case file and their values, for all scenes; in place of the defaults.
     std::vector<std::pair<std::string, std::string>> settings;
     const std::atomic<bool>* interrupt = nullptr;
     std::function<void(int done, int total)> on_run;  ///< may be empty; called by one thread at a time
 };
+
+/// "stress-<seed>-<index>", the name of a scene.
+std::string stress_name(std::uint64_t seed, int index);
 
 /// Runs every point that is valid input and stores it in `store` under the name "stress-<seed>-<index>".
 /// Throws InputError when a setting is not one of a run.

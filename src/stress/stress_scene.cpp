@@ -13,7 +13,7 @@
 namespace runout {
 namespace {
 
-constexpr double sliver_angle = radians(1.0);
+constexpr double sliver_angle_deg = 1.0;
 constexpr double steepest_slide = radians(80.0);  // of a face; down a steeper one soil rather falls
 
 template <class Choice>
@@ -113,13 +113,13 @@ SourceSpec box(const StressPoint& p, double aspect) {
     return spec;
 }
 
-SourceSpec dipping(const StressPoint& p, SourceType type, double dip) {
+SourceSpec dipping(const StressPoint& p, SourceType type, double dip_deg) {
     SourceSpec spec;
     spec.type = type;
-    spec.base_angle = dip;
+    spec.base_angle = radians(dip_deg);
     spec.area = p.size_m * p.size_m;
-    const double face = radians(p.slope_angle_deg);
-    if (type != SourceType::a) spec.scarp_angle = face + p.scarp_angle_share * (std::numbers::pi / 2 - face);
+    const double face_deg = p.slope_angle_deg;
+    if (type != SourceType::a) spec.scarp_angle = radians(face_deg + p.scarp_angle_share * (90.0 - face_deg));
     if (type == SourceType::a) spec.aspect = std::clamp(p.aspect_ratio, 1.0, 3.0);
     if (type == SourceType::c) spec.height = 1.5 * p.size_m;
     return spec;
@@ -127,26 +127,26 @@ SourceSpec dipping(const StressPoint& p, SourceType type, double dip) {
 
 SourceSpec source_of(const StressPoint& p, SourceKind kind, const SectionFrame& in_section) {
     const double size = p.size_m;
-    const double face = radians(p.slope_angle_deg);
-    const double dip = p.base_angle_share * face;
+    const double dip_deg = p.base_angle_share * p.slope_angle_deg;
     switch (kind) {
         case SourceKind::rectangle:
             return box(p, std::clamp(p.aspect_ratio, 0.3, 3.0));
         case SourceKind::sheet:
             return box(p, std::clamp(p.aspect_ratio, 20.0, 50.0));
         case SourceKind::a:
-            return dipping(p, SourceType::a, dip);
+            return dipping(p, SourceType::a, dip_deg);
         case SourceKind::c:
-            return dipping(p, SourceType::c, dip);
+            return dipping(p, SourceType::c, dip_deg);
         case SourceKind::sliver:
-            return dipping(p, SourceType::b, face - sliver_angle * (0.2 + 0.8 * p.base_angle_share));
+            return dipping(p, SourceType::b,
+                           p.slope_angle_deg - sliver_angle_deg * (0.2 + 0.8 * p.base_angle_share));
         case SourceKind::column:
             return block(in_section, {0, 0}, size / std::sqrt(p.aspect_ratio),
                          size * std::sqrt(p.aspect_ratio));
         case SourceKind::falling_block:
             return block(in_section, {2 * size, p.drop_height_ratio * size}, size, size);
         case SourceKind::b:
-            return dipping(p, SourceType::b, dip);
+            return dipping(p, SourceType::b, dip_deg);
         case SourceKind::count:
             break;
     }
@@ -160,23 +160,26 @@ std::string to_string(SourceKind kind) {
     return names.at(static_cast<std::size_t>(kind));
 }
 
-Scene stress_scene(const StressPoint& p, const std::string& name) {
+StressSite stress_site(const StressPoint& p) {
     const auto kind = chosen<SourceKind>(p.source_kind);
-    const Hillside hillside = hillside_of(p, kind);
+    const std::vector<Vec2> ground = ground_of(hillside_of(p, kind));
     const SectionFrame in_section{p.offset_m, p.reversed < 1 ? 1.0 : -1.0};
+    StressSite site;
+    for (const Vec2& point : ground) site.section.push_back(in_section(point));
+    if (in_section.direction < 0) std::ranges::reverse(site.section);
+    site.face.toe_chainage = Chainage(p.offset_m);
+    site.face.crest_chainage = Chainage(in_section(ground[1]).x());
+    site.source = source_of(p, kind, in_section);
+    site.in_the_air = kind == SourceKind::falling_block;
+    return site;
+}
 
-    std::vector<Vec2> section;
-    for (const Vec2& point : ground_of(hillside)) section.push_back(in_section(point));
-    if (in_section.direction < 0) std::ranges::reverse(section);
-    const SourceSpec spec = source_of(p, kind, in_section);
-    ProfileOptions options;
-    options.toe_chainage = Chainage(p.offset_m);
-    options.crest_chainage = Chainage(in_section(ground_of(hillside)[1]).x());
-
+Scene stress_scene(const StressPoint& p, const std::string& name) {
+    const StressSite site = stress_site(p);
     Scene scene;
     scene.name = name;
-    scene.profile = make_profile({section, {}, name}, options);
-    scene.source = derive_source(scene.profile, spec);
+    scene.profile = make_profile({site.section, {}, name}, site.face);
+    scene.source = derive_source(scene.profile, site.source);
     scene.material.friction_angle = radians(p.friction_angle_deg);
     scene.effects = effects_of(p);
     scene.run.resolution = p.resolution;

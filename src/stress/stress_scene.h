@@ -2,7 +2,9 @@
 
 #include <string>
 
+#include "profile/profile.h"
 #include "scene/scene.h"
+#include "source/source.h"
 #include "stress/stress_point.h"
 
 namespace runout {
@@ -13,6 +15,16 @@ namespace runout {
 enum class SourceKind { rectangle, a, b, c, sliver, sheet, column, falling_block, count };
 
 std::string to_string(SourceKind kind);
+
+/// Ground and source of a random scene, before any check, as a case would give them.
+struct StressSite {
+    Polyline section;  ///< chainage and elevation, m
+    ProfileOptions face;
+    SourceSpec source;
+    bool in_the_air = false;  ///< the mass starts above the ground, which no case may say
+};
+
+StressSite stress_site(const StressPoint& point);
 
 /// The scene of a point, on a section long enough for the mass to stop on by its energy line. Throws
 /// InputError where the mass does not fit the hillside, as it would for a user.
