@@ -5,12 +5,20 @@
 #include <limits>
 
 namespace runout {
+namespace {
+
+/// Unit normal of a segment that goes `along`.
+Vec2 left_of(const Vec2& along) {
+    const Vec2 t = along.normalized();
+    return {-t.y(), t.x()};
+}
+
+}  // namespace
 
 BedLine::BedLine(Polyline points, bool closed) : points_(std::move(points)), closed_(closed) {}
 
 Vec2 BedLine::normal(int segment) const {
-    const Vec2 t = (end(segment) - start(segment)).normalized();
-    return {-t.y(), t.x()};
+    return left_of(end(segment) - start(segment));
 }
 
 BedLine::Nearest BedLine::nearest(const Vec2& point) const {
@@ -37,11 +45,11 @@ BedLine::Nearest BedLine::nearest(const Vec2& point, int segment, int reach) con
         if (d2 < best2 * (1.0 - 1e-12)) {
             best2 = d2;
             best.segment = seg;
-            best.normal = normal(seg);
+            best.normal = left_of(along);
             offset = from;
             beyond_end = !closed_ && ((seg == 0 && at < 0.0) || (seg == count - 1 && at > 1.0));
         } else if (d2 <= best2 * (1.0 + 1e-12)) {
-            best.normal += normal(seg);
+            best.normal += left_of(along);
         }
     }
     best.normal = best.normal.normalized();
