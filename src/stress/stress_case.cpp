@@ -81,9 +81,9 @@ std::string toml_value(const std::string& key, const std::string& value) {
 StressCase stress_case(const StressPoint& point, const std::string& name, const std::string& section_file,
                        const std::vector<std::pair<std::string, std::string>>& settings) {
     const StressSite site = stress_site(point);
-    if (site.in_the_air)
+    if (site.free)
         throw InputError({.file = "--case", .line = 0, .key = "", .value = name},
-                         "starts with its mass in the air, which no case file may say",
+                         "starts as a column or a block of its own, which no case file may say",
                          "leave out --case to run it");
     StressCase made;
     made.section = "chainage_m,elevation_m\n";

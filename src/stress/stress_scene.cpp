@@ -14,6 +14,7 @@ namespace runout {
 namespace {
 
 constexpr double sliver_angle_deg = 1.0;
+constexpr double lowest_elevation = -400.0;       // m, of ground as it is
 constexpr double steepest_slide = radians(80.0);  // of a face; down a steeper one soil rather falls
 
 template <class Choice>
@@ -89,9 +90,17 @@ Hillside hillside_of(const StressPoint& p, SourceKind kind) {
 struct SectionFrame {
     double offset;
     double direction;
+    double datum;  ///< elevation of the toe, m
 
-    Vec2 operator()(const Vec2& local) const { return {offset + direction * local.x(), local.y()}; }
+    Vec2 operator()(const Vec2& local) const { return {offset + direction * local.x(), datum + local.y()}; }
 };
+
+/// Whole thousands of metres by which ground that falls far is raised, so that its elevations could be some
+/// on earth.
+double datum_of(const std::vector<Vec2>& ground) {
+    const double lowest = std::ranges::min(ground, {}, [](const Vec2& p) { return p.y(); }).y();
+    return lowest < lowest_elevation ? 1000.0 * std::ceil(-lowest / 1000.0) : 0.0;
+}
 
 /// A block whose lower left corner and size are given in the local frame.
 SourceSpec block(const SectionFrame& in_section, const Vec2& corner, double width, double height) {
@@ -163,14 +172,14 @@ std::string to_string(SourceKind kind) {
 StressSite stress_site(const StressPoint& p) {
     const auto kind = chosen<SourceKind>(p.source_kind);
     const std::vector<Vec2> ground = ground_of(hillside_of(p, kind));
-    const SectionFrame in_section{p.offset_m, p.reversed < 1 ? 1.0 : -1.0};
+    const SectionFrame in_section{p.offset_m, p.reversed < 1 ? 1.0 : -1.0, datum_of(ground)};
     StressSite site;
     for (const Vec2& point : ground) site.section.push_back(in_section(point));
     if (in_section.direction < 0) std::ranges::reverse(site.section);
     site.face.toe_chainage = Chainage(p.offset_m);
     site.face.crest_chainage = Chainage(in_section(ground[1]).x());
     site.source = source_of(p, kind, in_section);
-    site.in_the_air = kind == SourceKind::falling_block;
+    site.free = kind == SourceKind::falling_block || kind == SourceKind::column;
     return site;
 }
 

@@ -21,7 +21,7 @@ struct StressSite {
     Polyline section;  ///< chainage and elevation, m
     ProfileOptions face;
     SourceSpec source;
-    bool in_the_air = false;  ///< the mass starts above the ground, which no case may say
+    bool free = false;  ///< the mass starts as a column or a block of its own, which no case may say
 };
 
 StressSite stress_site(const StressPoint& point);

@@ -75,6 +75,19 @@ TEST_P(FilmTest, StandsOnASlopeFlatterThanRepose) {
         EXPECT_LT(furthest_until(simulation, 5.0), 0.1 * spacing) << distance << " spacings apart";
     }
 }
+
+// Pressure in a film that is thinner than a grain once pressed its grains apart: films on a slope at nine
+// tenths of repose crept and spread for as long as they were watched, the further the finer the soil.
+TEST_P(FilmTest, OfGrainsApartIsCarriedByTheBedLineAlone) {
+    const double repose = std::sin(radians(10.0));
+    for (const double distance : {1.6, 1.8, 2.0, 2.2}) {
+        Simulation simulation =
+            row_on_slope(degrees(std::atan(0.97 * repose)), 10.0, 24, distance, GetParam());
+        furthest_until(simulation, 1.0);
+        EXPECT_LT(furthest_until(simulation, 5.0), 1e-6 * spacing) << distance << " spacings apart";
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(SmoothingRatios, FilmTest, testing::Values(1.3, 1.5, 2.0));
 
 }  // namespace

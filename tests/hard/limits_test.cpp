@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/simulation.h"
 #include "hard/hard_scenes.h"
+#include "observe.h"
 #include "scene/make_problem.h"
 #include "scenes.h"
 
@@ -62,6 +64,14 @@ TEST(Limits, HeapsBelowReposeStandForThreeHundredFallTimes) {
     }
 }
 
+std::vector<double> moved_spacings(const Simulation& simulation, const std::vector<Vec2>& start) {
+    const std::vector<Vec2> end = positions_by_id(simulation);
+    std::vector<double> moved;
+    for (std::size_t i = 0; i < start.size(); ++i)
+        moved.push_back((end[i] - start[i]).norm() / simulation.state().discretisation->spacing);
+    return moved;
+}
+
 /// Nothing stops such a mass on level ground: it leaves the section, and the run says so.
 TEST(Limits, MassesWithoutFrictionLeaveTheSectionWithEveryInvariantKept) {
     for (const bool base_only : {false, true}) {
@@ -83,6 +93,28 @@ TEST(Limits, MassesWithoutFrictionLeaveTheSectionWithEveryInvariantKept) {
                           simulation.invariants()[static_cast<std::size_t>(k)].limit)
                     << to_string(static_cast<Invariant>(k));
         }
+    }
+}
+
+/// The base holds the wedge, and the soil is steeper at rest than the face. Once all soil within the kernel's
+/// reach of the bed had the strength of the base: it flowed out at the foot, and the whole wedge came down
+/// grain by grain.
+TEST(Limits, AWedgeThatItsBaseHoldsStandsThoughItsFaceIsSteeperThanTheBaseCouldHold) {
+    for (const double resolution : {12, 24}) {
+        StressPoint p = plain_hard_point();
+        p.source_kind = static_cast<double>(SourceKind::c) + 0.5;
+        p.slope_angle_deg = 35;
+        p.friction_angle_deg = 55;    // repose is 39.3 deg
+        p.base_friction_share = 0.5;  // 27.5 deg
+        p.base_angle_share = 0.6;     // 21 deg
+        p.resolution = resolution;
+        Simulation simulation(make_problem(stress_scene(p, "wedge")));
+        const std::vector<Vec2> start = positions_by_id(simulation);
+        while (simulation.status() == RunStatus::running) simulation.step();
+        std::vector<double> moved = moved_spacings(simulation, start);
+        std::ranges::sort(moved);
+        EXPECT_LT(moved[moved.size() * 99 / 100], 1.0) << "at sqrt(S)/dl = " << resolution;
+        EXPECT_LT(moved.back(), 4.0) << "at sqrt(S)/dl = " << resolution;
     }
 }
 

@@ -51,6 +51,18 @@ TEST(PorePressure, SlabFollowsTheEffectiveStress) {
     }
 }
 
+TEST(BaseFriction, SlabSlidesAsItsBaseLetsItHoweverMuchStrongerTheSoilIs) {
+    const double slope = radians(45.0);
+    for (const double angle : {5.0, 20.0, 30.0}) {
+        Scene scene = scenes::slab(45.0, slab_columns, slab_rows, 60.0, slab_spacing);
+        scene.effects.base_friction = BaseFriction{radians(angle)};
+        const double exact = g * (std::sin(slope) - std::tan(radians(angle)) * std::cos(slope));
+        const double deviation = slab_deviation(scene, slope, exact);
+        RecordProperty("deviation", std::to_string(deviation));
+        EXPECT_LT(std::abs(deviation), 0.03) << "base of " << angle << " deg";
+    }
+}
+
 TEST(PorePressure, TheSlowerItDissipatesTheFurtherTheMassRuns) {
     double previous = 0.0;
     for (const double time : {0.02, 0.1, 0.5, 2.5}) {

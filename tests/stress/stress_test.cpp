@@ -4,15 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <optional>
 #include <set>
 
 #include "core/input_error.h"
+#include "engine/friction/yield_strength.h"
 #include "profile/profile.h"
 #include "report/text/stress_table.h"
+#include "scene/case_file.h"
 #include "store/store.h"
 #include "store_fixture.h"
 #include "stress/hillside.h"
 #include "stress/run_stress.h"
+#include "stress/stress_case.h"
 #include "stress/stress_scene.h"
 
 namespace runout {
@@ -56,6 +61,37 @@ TEST(StressScenes, MostAreValidInputAndEveryKindIsAmongThem) {
     EXPECT_EQ(kinds.size(), static_cast<std::size_t>(SourceKind::count));
     EXPECT_GT(valid, count * 6 / 10);
     RecordProperty("valid", std::to_string(valid));
+}
+
+TEST_F(StoreTest, AStressSceneAsACaseIsTheSameScene) {
+    int compared = 0;
+    for (const StressPoint& point : stress_points(stress_axes(), 60, 7)) {
+        if (stress_site(point).free) {
+            EXPECT_THROW(stress_case(point, "air", "air.csv", {}), InputError);
+            continue;
+        }
+        const StressCase made = stress_case(point, "scene", "scene.csv", {{"run.courant", "0.1"}});
+        std::ofstream(own.file("scene.csv")) << made.section;
+        std::ofstream(own.file("scene.toml")) << made.text;
+        std::optional<Scene> scene;
+        try {
+            scene = stress_scene(point, "scene");
+        } catch (const InputError&) {
+            EXPECT_THROW(make_scene(read_case(own.file("scene.toml"))), InputError);
+            continue;
+        }
+        const Scene from_case = make_scene(read_case(own.file("scene.toml")));
+        EXPECT_EQ(from_case.source.outline, scene->source.outline) << made.text;
+        EXPECT_EQ(from_case.source.bed, scene->source.bed);
+        EXPECT_EQ(from_case.material.friction_angle, scene->material.friction_angle);
+        EXPECT_EQ(base_strength_ratio(from_case.material, from_case.effects, 0),
+                  base_strength_ratio(scene->material, scene->effects, 0));
+        EXPECT_EQ(from_case.run.resolution, scene->run.resolution);
+        EXPECT_EQ(from_case.run.gravity, scene->run.gravity);
+        EXPECT_EQ(from_case.run.courant, 0.1);
+        ++compared;
+    }
+    EXPECT_GT(compared, 20);
 }
 
 TEST_F(StoreTest, StressRunsAreStoredAndTheSameForAnyNumberOfJobs) {

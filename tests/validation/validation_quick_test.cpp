@@ -21,8 +21,6 @@ const std::set<std::string>& known_outside() {
         "numerics: drop, lattice along the axes, R/dl = 24: short semi-axis / R",
         "numerics: drop, lattice along the axes, R/dl = 24: area from the semi-axes, over the start",
         "numerics: vortex, loss of kinetic energy in half a turn, observed order",
-        // Half the resolution of the whole suite, where it lies in its band: cases/column-run-out/README.md.
-        "column-run-out: L_inf/L0, phi 37, a = 1.5",
     };
     return names;
 }

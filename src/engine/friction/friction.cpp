@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/friction/slipping_base.h"
 #include "engine/pairs/operators.h"
 #include "engine/pairs/row_passes.h"
+#include "engine/pairs/slipping_base.h"
 #include "engine/pairs/strain_rate.h"
 #include "engine/threads/node_array.h"
 
@@ -148,7 +148,8 @@ void Friction::find_gradients(const PairRows& rows, const ParticleSystem& partic
 void Friction::find_force(const PairRows& rows, const ParticleSystem& particles,
                           const std::vector<FloatPair>& stress) {
     pair_kernels().stress_divergence(rows, stress.data(), force_.data());
-    carry_by_wall(rows, particles.neighbours, particles.wall, stress.data(), force_.data());
+    carry_by_wall(rows, particles.neighbours, particles.wall, {stress.data(), pressure_.data()},
+                  force_.data());
 }
 
 /// v~ = base velocity - dt div(ahead s) / rho.

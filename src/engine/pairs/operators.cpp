@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/pairs/slipping_base.h"
 #include "engine/threads/node_array.h"
 
 namespace runout {
@@ -27,9 +28,13 @@ Vec2 pair_traction(const ParticleSystem& particles, const WallPair& pair) {
     const Soil& soil = particles.soil;
     const Wall& wall = particles.wall;
     const double p = soil.pressure[pair.row] + wall.pressure[pair.wall_index];
-    const bool slips = wall.slips_at(pair.wall_index);
-    const double sxx = (slips ? wall.sxx[pair.wall_index] : soil.sxx[pair.row]) + wall.sxx[pair.wall_index];
-    const double sxy = (slips ? wall.sxy[pair.wall_index] : soil.sxy[pair.row]) + wall.sxy[pair.wall_index];
+    double sxx = soil.sxx[pair.row] + wall.sxx[pair.wall_index];
+    double sxy = soil.sxy[pair.row] + wall.sxy[pair.wall_index];
+    if (wall.slips_at(pair.wall_index)) {
+        const double factor = traction_factor(soil.pressure[pair.row], wall.pressure[pair.wall_index]);
+        sxx = factor * wall.sxx[pair.wall_index];
+        sxy = factor * wall.sxy[pair.wall_index];
+    }
     return {(p + sxx) * pair.gx + sxy * pair.gy, sxy * pair.gx + (p - sxx) * pair.gy};
 }
 

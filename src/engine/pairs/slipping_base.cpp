@@ -1,4 +1,4 @@
-#include "engine/friction/slipping_base.h"
+#include "engine/pairs/slipping_base.h"
 
 namespace runout {
 namespace {
@@ -27,13 +27,16 @@ void leave_out_slip(const PairRows& rows, const Neighbours& n, const Wall& wall,
     });
 }
 
-void carry_by_wall(const PairRows& rows, const Neighbours& n, const Wall& wall, const FloatPair* stress,
+void carry_by_wall(const PairRows& rows, const Neighbours& n, const Wall& wall, const NodeStress& stress,
                    FloatPair* force) {
     for_each_slipping_pair(rows, n, wall, [&](const WallPair& pair) {
-        const FloatPair own = stress[pair.row];
-        const FloatPair base = stress[n.node_of_boundary[pair.wall_index]];
-        const float a = base.x - own.x;
-        const float b = base.y - own.y;
+        const int node = n.node_of_boundary[pair.wall_index];
+        const FloatPair own = stress.deviatoric[pair.row];
+        const FloatPair base = stress.deviatoric[node];
+        const auto more =
+            static_cast<float>(traction_factor(stress.pressure[pair.row], stress.pressure[node]) - 1.0);
+        const float a = more * base.x - own.x;
+        const float b = more * base.y - own.y;
         force[pair.row].x += a * pair.gx + b * pair.gy;
         force[pair.row].y += b * pair.gx - a * pair.gy;
     });
