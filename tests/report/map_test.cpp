@@ -1,5 +1,7 @@
 // Results on the map: where a run-out ends on its line, which layers hold what, what a GIS reads back.
 
+#include <SQLiteCpp/Database.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +12,7 @@
 #include "example_run.h"
 #include "map_fixture.h"
 #include "measures/deposit.h"
+#include "report/map/map_runs.h"
 #include "report/map/result_map.h"
 #include "report/text/reach_probability.h"
 #include "store/store.h"
@@ -141,14 +144,26 @@ TEST_F(ResultMapTest, TheDistalPointIsOnTheLineAtTheStoredRunOut) {
             add(scene, result_with(RunStatus::settled, run_out));
             const RunPlace place = Store(database(), Store::Mode::read).place(++id).value();
             const double chainage = chainage_at_run_out(place, run_out);
-            const double beyond = (mirrored ? -1 : 1) * (chainage - place.toe_chainage_m);
-            const BedLine bed(scene.source.bed);
-            // At a step down the length jumps by its height; the point stands at the step then.
-            const double before = distance_along_bed(bed, beyond - 1e-9);
-            const double after = distance_along_bed(bed, beyond + 1e-9);
-            EXPECT_GE(run_out, before - 1e-6);
-            EXPECT_LE(run_out, after + 1e-6);
+            EXPECT_NEAR((mirrored ? -1 : 1) * (chainage - place.toe_chainage_m), run_out, 1e-9);
         }
+}
+
+// A run of before database 10 has its run-out along the bed.
+TEST_F(ResultMapTest, AFormerRunOutIsPlacedAlongTheBedAndSaid) {
+    for (const double run_out : {0.5, 9.0, 14.9, 15.03, 16.0, 17.3, 31.7}) {
+        const Scene scene = scene_on(line_at(834000, "A"));
+        add(scene, result_with(RunStatus::settled, run_out));
+        SQLite::Database(database(), SQLite::OPEN_READWRITE).exec("UPDATE run SET front_definition = 'top'");
+        const MapRuns runs = map_runs(Store(database(), Store::Mode::read), true);
+        const double beyond = run_out_from_toe(runs.runs.back());
+        const BedLine bed(scene.source.bed);
+        // At a step down the length jumps by its height; the point stands at the step then.
+        EXPECT_GE(run_out, distance_along_bed(bed, beyond - 1e-9) - 1e-6);
+        EXPECT_LE(run_out, distance_along_bed(bed, beyond + 1e-9) + 1e-6);
+    }
+    EXPECT_TRUE(std::ranges::any_of(map().remarks, [](const std::string& remark) {
+        return remark.find("former definition of the front") != std::string::npos;
+    }));
 }
 
 TEST_F(ResultMapTest, DebrisThatDoesNotPassTheToeEndsWhereItsDepositDoes) {

@@ -51,6 +51,28 @@ std::vector<MapRun> one_for_each_question(std::vector<MapRun> runs) {
     return kept;
 }
 
+/// Where a run-out of the former definition ends, which went along the bed.
+double chainage_along_bed(const RunPlace& place, double run_out_m) {
+    const double sign = place.descends_with_chainage ? 1.0 : -1.0;
+    double left = std::max(0.0, run_out_m);
+    Vec2 from(0, 0);  // along and above, from the toe
+    for (const Vec2& point : place.bed) {
+        const Vec2 to(sign * (point.x() - place.toe_chainage_m), point.y() - place.toe_elevation_m);
+        if (from.x() < 0 && to.x() > 0)
+            from -= from.x() / (to.x() - from.x()) * (to - from);  // below the toe
+        if (to.x() <= 0) {
+            from = to;
+            continue;
+        }
+        const double length = (to - from).norm();
+        if (length >= left && length > 0)
+            return place.toe_chainage_m + sign * (from.x() + (to.x() - from.x()) * left / length);
+        left -= length;
+        from = to;
+    }
+    return place.toe_chainage_m + sign * from.x();
+}
+
 }  // namespace
 
 MapRuns map_runs(const Store& store, bool every_run) {
@@ -76,28 +98,20 @@ MapRuns map_runs(const Store& store, bool every_run) {
 
 double chainage_at_run_out(const RunPlace& place, double run_out_m) {
     const double sign = place.descends_with_chainage ? 1.0 : -1.0;
-    double left = std::max(0.0, run_out_m);
-    Vec2 from(0, 0);  // along and above, from the toe
-    for (const Vec2& point : place.bed) {
-        const Vec2 to(sign * (point.x() - place.toe_chainage_m), point.y() - place.toe_elevation_m);
-        if (from.x() < 0 && to.x() > 0)
-            from -= from.x() / (to.x() - from.x()) * (to - from);  // below the toe
-        if (to.x() <= 0) {
-            from = to;
-            continue;
-        }
-        const double length = (to - from).norm();
-        if (length >= left && length > 0)
-            return place.toe_chainage_m + sign * (from.x() + (to.x() - from.x()) * left / length);
-        left -= length;
-        from = to;
-    }
-    return place.toe_chainage_m + sign * from.x();
+    const double end = place.bed.empty() ? 0.0 : sign * (place.bed.back().x() - place.toe_chainage_m);
+    return place.toe_chainage_m + sign * std::clamp(run_out_m, 0.0, std::max(0.0, end));
+}
+
+double run_out_from_toe(const MapRun& run) {
+    const double run_out = run.run.measures.run_out_m;
+    if (run.run.front_definition == current_front_definition) return run_out;
+    const double chainage = chainage_along_bed(run.place, run_out);
+    return std::abs(chainage - run.place.toe_chainage_m);
 }
 
 double distal_chainage(const MapRun& run) {
     const Measures& measures = run.run.measures;
-    if (measures.run_out_m > 0) return chainage_at_run_out(run.place, measures.run_out_m);
+    if (measures.run_out_m > 0) return chainage_at_run_out(run.place, run_out_from_toe(run));
     const bool with_chainage = run.place.descends_with_chainage;
     double distal = run.place.head.x();
     for (const DepositRow& row : run.deposit)

@@ -163,6 +163,39 @@ MapLayer extent_line_layer(const MapRuns& runs, const MapMetric& metric) {
     return layer;
 }
 
+MapLayer place_layer(const MapRuns& runs, const MapMetric& metric) {
+    MapLayer layer{
+        "place", "Places that may be reached", GeometryKind::line, {}, line_style({0, 0, 160}, 0.9)};
+    for (const MapRun& run : runs.runs)
+        for (const PlaceRecord& place : run.run.places) {
+            const double sign = run.place.descends_with_chainage ? 1.0 : -1.0;
+            const double far = place.chainage_m + sign * place.width_m;
+            MapFeature feature{place.width_m > 0
+                                   ? part_between(run.place.line, std::min(place.chainage_m, far),
+                                                  std::max(place.chainage_m, far))
+                                   : bar_across(run.place.line, metric, place.chainage_m,
+                                                std::sqrt(run.run.measures.source_area_m2)),
+                               short_attributes(run)};
+            feature.attributes.push_back({"place", place.name});
+            feature.attributes.push_back({"kind", place.kind});
+            feature.attributes.push_back({"chainage_m", place.chainage_m});
+            const bool known = is_result(run.run.status);
+            const auto add = [&](const char* name, double value) {
+                feature.attributes.push_back(
+                    {name, known && std::isfinite(value) ? FieldValue(value) : FieldValue()});
+            };
+            feature.attributes.push_back(
+                {"reached",
+                 known ? FieldValue(std::isfinite(place.arrival_time_s) ? 1L : 0L) : FieldValue()});
+            add("arrival_time_s", place.arrival_time_s);
+            add("greatest_thickness_m", place.greatest_thickness_m);
+            add("greatest_speed_m_s", place.greatest_speed_m_s);
+            add("final_thickness_m", place.final_thickness_m);
+            layer.features.push_back(std::move(feature));
+        }
+    return layer;
+}
+
 MapLayer failed_layer(const MapRuns& runs) {
     MapLayer layer{"failed_run",
                    "Sections whose run gave no result",
@@ -190,10 +223,24 @@ MapLayer refused_layer(const std::vector<RefusedSection>& sections, const std::s
     return layer;
 }
 
+namespace {
+
+void tell_former_fronts(const MapRuns& runs, std::vector<std::string>& remarks) {
+    const auto count = std::ranges::count_if(
+        runs.runs, [](const MapRun& run) { return run.run.front_definition != current_front_definition; });
+    if (count > 0)
+        remarks.push_back(fmt::format(
+            "{} of {} runs have the former definition of the front (contiguous by top, before database 10)",
+            count, runs.runs.size()));
+}
+
+}  // namespace
+
 ResultMap result_map(const Store& store, const MapOptions& options) {
     const MapRuns runs = map_runs(store, options.every_run);
     const MapMetric metric(runs.crs, runs.runs.front().place.line.points.front());
     ResultMap map{{runs.crs, {}}, {}};
+    tell_former_fronts(runs, map.remarks);
     if (runs.without_place > 0)
         map.remarks.push_back(
             fmt::format("{} runs are not on the map: their sections came from tables that were not placed",
@@ -208,6 +255,7 @@ ResultMap result_map(const Store& store, const MapOptions& options) {
                         source_layer(sources),
                         extent_line_layer(runs, metric),
                         extent_layer(runs)};
+    map.sheet.layers.push_back(place_layer(runs, metric));
     for (MapLayer& layer : probability_layers(runs, metric, map.remarks))
         map.sheet.layers.push_back(std::move(layer));
     map.sheet.layers.push_back(failed_layer(runs));
