@@ -62,6 +62,51 @@ TEST_F(ProgramTest, EveryOutputSaysAlikeWhatIsReached) {
     EXPECT_TRUE(contains(page, "Intensity along the section"));
 }
 
+/// A run on a section of tests/field, source B, as one would from the command line.
+Arguments field_run(const std::string& file, const Arguments& further) {
+    const std::string place = std::string(RUNOUT_SOURCE_DIR) + "/tests/field/" + file;
+    Arguments words = {"run",         place,    "--set",      "run.resolution=24",
+                       "--no-pilots", "--json", "--no-store", "--quiet"};
+    words.insert(words.end(), further.begin(), further.end());
+    return words;
+}
+
+const Arguments source_b = {"--source",         "B",  "--base-angle",   "35",     "--scarp-angle",    "80",
+                            "--friction-angle", "38", "--toe-chainage", "41.547", "--crest-chainage", "30"};
+
+// Distances are horizontal: what 0.6.0 made 93 m and 2,020 m/s, 51.7 m at -61.5 deg, and 17 to 19 m/s.
+TEST_F(ProgramTest, CracksWallsAndDrainsOfTheFieldAddNoDistance) {
+    const auto answer = [&](const char* file) {
+        const Outcome said = runout(field_run(file, source_b));
+        EXPECT_EQ(said.exit_code, 0) << file << ": " << said.err;
+        return Json::parse(said.out);
+    };
+    constexpr double bar = 0.6, free_fall = 19.81;  // m, of 12.9 m; m/s, from 20 m
+    const Json plain = answer("slope.csv"), crack = answer("crack.csv"), channel = answer("u-channel.csv");
+    const double run_out = plain.at("run_out_m");
+    EXPECT_NEAR(run_out, 12.9, bar);
+    EXPECT_NEAR(crack.at("run_out_m").get<double>(), 12.9, bar);
+    EXPECT_GT(crack.at("run_out_along_bed_m").get<double>(), 90.0) << "which is another length";
+    EXPECT_NEAR(channel.at("run_out_m").get<double>(), run_out, bar + 0.6);
+    for (const Json& json : {plain, crack, channel})
+        EXPECT_LT(json.at("peak_front_speed_m_s").get<double>(), free_fall);
+    const Json wall = answer("facing-wall.csv");
+    EXPECT_LE(wall.at("run_out_m").get<double>(), 3.4531);
+    EXPECT_LE(wall.at("farthest_front_m").get<double>(), 3.4531);
+    EXPECT_GT(wall.at("reach_angle_deg").get<double>(), 0.0);
+}
+
+// The front was said to stop 12.76 m past the toe, and nothing to arrive 12.0 m past it.
+TEST_F(ProgramTest, FrontAndPlaceOfTheFieldAgree) {
+    const Outcome said = runout(field_run("gauge-and-front.toml", {}));
+    ASSERT_EQ(said.exit_code, 0) << said.err;
+    const Json json = Json::parse(said.out);
+    EXPECT_NEAR(json.at("toe_chainage_m").get<double>(), 28.6, 1e-9);
+    const bool passes = json.at("farthest_front_m").get<double>() >= 40.6 - 28.6;
+    EXPECT_EQ(json.at("places").at(0).at("reached"), passes);
+    EXPECT_EQ(json.at("places").at(0).at("arrival_time_s").is_null(), !passes);
+}
+
 TEST_F(ProgramTest, AStudyTellsHowProbableItIsThatAPlaceIsReached) {
     write("study.toml",
           "[study]\nname = \"small\"\ncase = \"case.toml\"\nsamples = 12\n[vary]\n"
