@@ -178,6 +178,44 @@ TEST_F(ResultMapTest, DebrisThatDoesNotPassTheToeEndsWhereItsDepositDoes) {
     EXPECT_EQ(point.points.at(0), Vec2(834000, 816076));
 }
 
+// ---- what arrives
+
+TEST_F(ResultMapTest, PlacesAndIntensitiesLieOnTheLine) {
+    RunResult result = result_with(RunStatus::settled, 9);
+    result.measures.front_thickness_m = 0.2;
+    result.envelope.greatest_thickness_m = {0.1, 0.5, 1.5};
+    result.envelope.greatest_speed_m_s = {3.0, 3.0, 2.0};
+    PlaceRecord road;
+    road.name = "road";
+    road.chainage_m = 33;
+    road.width_m = 4;
+    road.arrival_time_s = 1.5;
+    road.greatest_thickness_m = 0.5;
+    PlaceRecord path = road;
+    path.name = "path";
+    path.width_m = 0;
+    path.arrival_time_s = std::nan("");
+    result.places = {road, path};
+    add(scene_on(line_at(834000, "A")), result);
+    const ResultMap made = map();
+    const RunPlace place = Store(database(), Store::Mode::read).place(1).value();
+    const auto& places = layer(made, "place").features;
+    ASSERT_EQ(places.size(), 2u);
+    EXPECT_EQ(places[0].points.front(), point_at(place.line, 33));
+    EXPECT_EQ(places[0].points.back(), point_at(place.line, 37));
+    EXPECT_EQ(std::get<long>(value(places[0], "reached")), 1);
+    EXPECT_EQ(std::get<double>(value(places[0], "greatest_thickness_m")), 0.5);
+    EXPECT_EQ(std::get<long>(value(places[1], "reached")), 0);
+    EXPECT_EQ(places[1].points.size(), 3u) << "a bar across the line";
+    const auto& stretches = layer(made, "intensity").features;
+    ASSERT_EQ(stretches.size(), 2u);
+    EXPECT_EQ(std::get<std::string>(value(stretches[0], "intensity")), "medium");
+    EXPECT_EQ(std::get<std::string>(value(stretches[1], "intensity")), "high");
+    const double from = std::get<double>(value(stretches[1], "from_m"));
+    EXPECT_NEAR(from, -3.5 + 1.5 * 0.7, 1e-12) << "halfway between two nodes";
+    EXPECT_LT((stretches[1].points.front() - point_at(place.line, place.toe_chainage_m + from)).norm(), 1e-6);
+}
+
 // ---- layers
 
 TEST_F(ResultMapTest, LayersHoldTheRunsWithTheirSections) {

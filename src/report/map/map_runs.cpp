@@ -86,8 +86,8 @@ MapRuns map_runs(const Store& store, bool every_run) {
         if (found.crs.empty()) found.crs = place->line.crs;
         place->line = in_system(place->line, found.crs);
         const Question question = store.question(run.run_id);
-        found.runs.push_back(
-            {run, std::move(*place), question, store.deposit(run.run_id), attributes_of(run, question)});
+        found.runs.push_back({run, std::move(*place), question, store.deposit(run.run_id),
+                              store.envelope(run.run_id), attributes_of(run, question)});
     }
     if (found.runs.empty())
         throw InputError({"", 0, "map", ""}, "finds no run that lies on a map",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct MapRun {
     RunPlace place;  ///< its line in the coordinate system of the map
     Question question;
     std::vector<DepositRow> deposit;
+    std::optional<Envelope> envelope;  ///< none: the run is older than envelopes
     std::vector<Attribute>
         attributes;  ///< section, scenario, status and measures; a failed run has no measures
 };

@@ -7,6 +7,7 @@
 
 #include "core/input_error.h"
 #include "report/map/map_styles.h"
+#include "report/text/intensity.h"
 
 namespace runout {
 namespace {
@@ -123,6 +124,32 @@ MapLayer thickness_layer(const MapRuns& runs) {
             feature.attributes.push_back({"bed_elevation_m", row.bed_elevation_m});
             feature.attributes.push_back({"thickness_by_top_m", row.thickness_by_top_m});
             feature.attributes.push_back({"thickness_by_mass_m", row.thickness_by_mass_m});
+            layer.features.push_back(std::move(feature));
+        }
+    }
+    return layer;
+}
+
+MapLayer intensity_layer(const MapRuns& runs) {
+    const std::vector<ColourClass> colours = {{0.5, 1.5, "medium", {253, 141, 60}},
+                                              {1.5, 2.5, "high", {189, 0, 38}}};
+    MapLayer layer{"intensity",
+                   usual_intensities_origin(),
+                   GeometryKind::line,
+                   {},
+                   graduated_line_style("rank", colours, 2.2)};
+    for (const MapRun& run : runs.runs) {
+        if (!has_moved(run) || !run.envelope) continue;
+        const double sign = run.place.descends_with_chainage ? 1.0 : -1.0;
+        for (const IntensityStretch& stretch :
+             intensity_stretches(*run.envelope, run.run.measures.front_thickness_m, usual_intensities())) {
+            const auto [from, to] = std::minmax({run.place.toe_chainage_m + sign * stretch.from_m,
+                                                 run.place.toe_chainage_m + sign * stretch.to_m});
+            MapFeature feature{part_between(run.place.line, from, to), short_attributes(run)};
+            feature.attributes.push_back({"intensity", stretch.name});
+            feature.attributes.push_back({"rank", stretch.name == "high" ? 2L : 1L});
+            feature.attributes.push_back({"from_m", stretch.from_m});
+            feature.attributes.push_back({"to_m", stretch.to_m});
             layer.features.push_back(std::move(feature));
         }
     }
@@ -252,6 +279,7 @@ ResultMap result_map(const Store& store, const MapOptions& options) {
                         section_layer(runs),
                         deposit_layer(runs),
                         thickness_layer(runs),
+                        intensity_layer(runs),
                         source_layer(sources),
                         extent_line_layer(runs, metric),
                         extent_layer(runs)};
