@@ -8,7 +8,7 @@
 -- A change of the format raises user_version and adds a step to src/store/migrations.cpp.
 
 PRAGMA application_id = 1381322319;  -- the letters RUNO
-PRAGMA user_version = 9;
+PRAGMA user_version = 10;
 
 -- The ground along a section before the failure. Two files with the same ground share one row, so the name
 -- of the file belongs to the run.
@@ -77,14 +77,15 @@ CREATE TABLE scenario (
     friction_iterations  INTEGER NOT NULL,
     pressure_tolerance   REAL NOT NULL,             -- relative residual of the pressure equation
     time_limit_s         REAL NOT NULL,             -- simulated; 0: 60 sqrt(H/g) or more
-    front_thickness_m    REAL NOT NULL,             -- threshold of the contiguous front; 0: from sqrt(S)
+    front_thickness_m    REAL NOT NULL,             -- threshold of the front; 0: from sqrt(S)
     lattice_seed         INTEGER NOT NULL DEFAULT 0,   -- 0: regular lattice; else start off it at random
     snapshot_times_s     TEXT NOT NULL DEFAULT '[]',   -- JSON list of the instants to keep the particles of
     base_friction_angle_deg  REAL,                  -- effect: friction of the base; NULL: absent
     release_layers           INTEGER,               -- effect: poured layers; NULL: absent
     release_layer_width_m    REAL,
     release_layer_height_m   REAL,
-    sleeping                 INTEGER NOT NULL DEFAULT 0    -- 1: nothing is solved for soil at rest
+    sleeping                 INTEGER NOT NULL DEFAULT 0,   -- 1: nothing is solved for soil at rest
+    front_window_m           REAL NOT NULL DEFAULT 0       -- half-width of the window of thickness; 0: from sqrt(S)
 ) STRICT;
 CREATE INDEX scenario_of_source ON scenario (source_id);
 
@@ -112,7 +113,8 @@ INSERT INTO run_status VALUES
     ('left_section',  0, 'soil reached an end of the section'),
     ('not_converged', 0, 'the pressure equation did not reach its tolerance'),
     ('diverged',      0, 'an invariant of the physics was violated'),
-    ('interrupted',   0, 'stopped by the user');
+    ('interrupted',   0, 'stopped by the user'),
+    ('not_a_body',    0, 'came to rest as spray, or nowhere as thick as the front');
 
 -- One simulation of a scenario: how it ended, who computed it, and what it took.
 CREATE TABLE run (
@@ -153,7 +155,8 @@ CREATE TABLE run (
     toe_origin              TEXT NOT NULL DEFAULT '' CHECK (toe_origin IN ('found', 'given', '')),
     crest_origin            TEXT NOT NULL DEFAULT '' CHECK (crest_origin IN ('found', 'given', '')),
     section_read_as         TEXT NOT NULL DEFAULT '',        -- columns and units that were found in the file; empty: its form leaves no choice
-    section_doubts          TEXT NOT NULL DEFAULT ''         -- what speaks against the toe and crest that were taken, a line each
+    section_doubts          TEXT NOT NULL DEFAULT '',        -- what speaks against the toe and crest that were taken, a line each
+    front_definition        TEXT NOT NULL DEFAULT 'top' CHECK (front_definition IN ('thickness', 'top'))  -- of run_out_m, reach angle and series; top: before version 10
 ) STRICT;
 CREATE INDEX run_of_scenario ON run (scenario_id);
 
@@ -287,27 +290,37 @@ CREATE TABLE invariant (
     PRIMARY KEY (run_id, invariant)
 ) STRICT, WITHOUT ROWID;
 
--- What is said of a run, one row each. For a run that is not a result these are the last readings only.
+-- What is said of a run, one row each. For a run that is not a result these are the last readings only. Distances are
+-- horizontal, from the toe. Where run.front_definition is top, run_out_m, front_by_mass_m and front_mass_995_m are
+-- lengths along the bed, run_out_m is the contiguous front by top, and peak_front_speed_m_s that of the mass point.
 CREATE TABLE measure (
-    run_id                  INTEGER PRIMARY KEY REFERENCES run ON DELETE CASCADE,
-    run_out_m               REAL,   -- L_inf: contiguous front by top, along the run-out surface from the toe
-    run_out_normalised      REAL,   -- L_inf / sqrt(S_inf)
-    front_by_mass_m         REAL,   -- the same front read off the thickness by mass
-    front_mass_995_m        REAL,   -- distance from the toe that 99.5 % of the mass does not pass
-    front_thickness_m       REAL,   -- threshold of the contiguous front
-    reach_angle_deg         REAL,   -- from the head of the source to the distal margin
-    source_area_m2          REAL,   -- S_0
-    deposit_area_m2         REAL,   -- S_inf
-    front_area_m2           REAL,   -- S_front
-    front_area_ratio        REAL,   -- S_front / S_0
-    drop_height_m           REAL,   -- H_d to its datum
-    drop_height_normalised  REAL,   -- H_d / sqrt(S_inf)
-    deposit_height_m        REAL,   -- greatest thickness by top
-    toe_thickness_m         REAL,   -- thickness by top at the toe of the cut
-    peak_front_speed_m_s    REAL,   -- greatest speed of the 99.5 % mass point
-    time_to_rest_s          REAL,   -- simulated time at which motion ended
-    stray_particles         REAL,   -- particles not connected to the deposit
-    eroded_area_m2          REAL    -- soil of an erodible bed that has moved; NULL: the bed is rigid
+    run_id                   INTEGER PRIMARY KEY REFERENCES run ON DELETE CASCADE,
+    run_out_m                REAL,   -- L_inf: front at rest, the farthest place where all soil is front_thickness_m thick
+    run_out_normalised       REAL,   -- L_inf / sqrt(S_inf)
+    front_by_mass_m          REAL,   -- contiguous front by mass
+    front_mass_995_m         REAL,   -- distance from the toe that 99.5 % of the mass does not pass
+    front_thickness_m        REAL,   -- threshold of the front
+    reach_angle_deg          REAL,   -- from the head of the source to the distal margin
+    source_area_m2           REAL,   -- S_0
+    deposit_area_m2          REAL,   -- S_inf
+    front_area_m2            REAL,   -- S_front
+    front_area_ratio         REAL,   -- S_front / S_0
+    drop_height_m            REAL,   -- H_d to its datum
+    drop_height_normalised   REAL,   -- H_d / sqrt(S_inf)
+    deposit_height_m         REAL,   -- greatest thickness by top
+    toe_thickness_m          REAL,   -- thickness by top at the toe of the cut
+    peak_front_speed_m_s     REAL,   -- greatest speed of the soil at the front, mean over depth and window
+    time_to_rest_s           REAL,   -- simulated time at which motion ended
+    stray_particles          REAL,   -- particles not connected to the deposit
+    eroded_area_m2           REAL,   -- soil of an erodible bed that has moved; NULL: the bed is rigid
+    run_out_along_bed_m      REAL,   -- L_inf along the bed
+    farthest_front_m         REAL,   -- farthest front at any instant
+    front_window_m           REAL,   -- half-width of the window that thickness and speed are taken in
+    front_by_top_m           REAL,   -- contiguous front by top
+    peak_mass_995_speed_m_s  REAL,   -- greatest speed of the 99.5 % mass point
+    farthest_soil_m          REAL,   -- farthest single grain at any instant
+    beyond_front_area_m2     REAL,   -- soil at rest beyond the front, thinner than its threshold
+    beyond_front_speed_m_s   REAL    -- greatest speed of a grain beyond the front of its instant
 ) STRICT;
 
 -- The whole mass over simulated time.
@@ -315,11 +328,12 @@ CREATE TABLE series (
     run_id                INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
     row_index             INTEGER NOT NULL,
     time_s                REAL,
-    front_m               REAL,     -- 99.5 % mass point, along the run-out surface from the toe
+    front_mass_995_m      REAL,     -- 99.5 % mass point from the toe; horizontal, but along the bed before version 10
     kinetic_energy_j_m    REAL,
     potential_energy_j_m  REAL,     -- above the toe
     plastic_work_j_m      REAL,     -- dissipated by friction since release
     mass_kg_m             REAL,
+    front_m               REAL,     -- front, horizontal, from the toe; NULL: none, or not known
     PRIMARY KEY (run_id, row_index)
 ) STRICT, WITHOUT ROWID;
 
@@ -401,32 +415,51 @@ CREATE TABLE advice (
     PRIMARY KEY (run_id, row_index)
 ) STRICT, WITHOUT ROWID;
 
--- What passed the places where the case asks for it.
-CREATE TABLE gauge (
-    run_id                   INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
-    gauge_index              INTEGER NOT NULL,
-    name                     TEXT NOT NULL,
-    chainage_m               REAL,
-    arrival_time_s           REAL,     -- of a front as thick as front_thickness_m; NULL: none arrived
-    greatest_thickness_m     REAL,
-    greatest_speed_m_s       REAL,     -- mean over depth
-    greatest_kinetic_head_m  REAL,     -- speed^2 / 2g
-    passed_area_m2           REAL,     -- soil that has passed, net
-    PRIMARY KEY (run_id, gauge_index)
+-- What passed the places that the case names. Thickness and speed are the greatest on its width, the rest is of its near edge.
+CREATE TABLE place (
+    run_id                      INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,
+    place_index                 INTEGER NOT NULL,
+    name                        TEXT NOT NULL,
+    chainage_m                  REAL,     -- of its near edge
+    arrival_time_s              REAL,     -- first instant at which the front is at or beyond it; NULL: not reached
+    greatest_thickness_m        REAL,
+    greatest_speed_m_s          REAL,     -- mean over depth, of soil as thick as the front
+    greatest_kinetic_head_m     REAL,     -- speed^2 / 2g
+    passed_area_m2              REAL,     -- soil that has passed, net
+    kind                        TEXT NOT NULL DEFAULT '',     -- building, road, ... as the case says
+    width_m                     REAL,     -- from the near edge away from the cut
+    greatest_momentum_flux_n_m  REAL,     -- rho v^2 h
+    final_thickness_m           REAL,
+    PRIMARY KEY (run_id, place_index)
 ) STRICT, WITHOUT ROWID;
 
-CREATE TABLE gauge_series (
+CREATE TABLE place_series (
     run_id          INTEGER NOT NULL,
-    gauge_index     INTEGER NOT NULL,
+    place_index     INTEGER NOT NULL,
     row_index       INTEGER NOT NULL,
     time_s          REAL,
     thickness_m     REAL,
     speed_m_s       REAL,
     kinetic_head_m  REAL,
     passed_area_m2  REAL,
-    PRIMARY KEY (run_id, gauge_index, row_index),
-    FOREIGN KEY (run_id, gauge_index) REFERENCES gauge ON DELETE CASCADE
+    PRIMARY KEY (run_id, place_index, row_index),
+    FOREIGN KEY (run_id, place_index) REFERENCES place ON DELETE CASCADE
 ) STRICT, WITHOUT ROWID;
+
+-- What passed along the section, at first_m + i step_m: horizontal distances from the toe, towards the run-out. Each blob is one
+-- IEEE-754 float64, little-endian, per node; NaN: none. Speeds, heads and fluxes are of soil as thick as the front.
+CREATE TABLE envelope (
+    run_id                      INTEGER PRIMARY KEY REFERENCES run ON DELETE CASCADE,
+    first_m                     REAL NOT NULL,
+    step_m                      REAL NOT NULL,    -- a third of front_window_m
+    greatest_thickness_m        BLOB NOT NULL,
+    greatest_speed_m_s          BLOB NOT NULL,    -- mean over depth and window
+    greatest_kinetic_head_m     BLOB NOT NULL,    -- speed^2 / 2g
+    greatest_momentum_flux_n_m  BLOB NOT NULL,    -- rho v^2 h, per metre of width
+    arrival_time_s              BLOB NOT NULL,    -- of the front
+    final_thickness_m           BLOB NOT NULL,
+    passed_area_m2              BLOB NOT NULL     -- soil that has passed since release, net
+) STRICT;
 
 -- What the debris did to the barrier, per metre of width; x towards the run-out.
 CREATE TABLE barrier (
@@ -490,6 +523,7 @@ SELECT run.name,
        run.section_doubts,
        scenario.friction_angle_deg,
        run.status,
+       run.front_definition,
        run.run_out_error_m,
        run.reach_angle_error_deg,
        run.error_origin,

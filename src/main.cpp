@@ -68,10 +68,12 @@ int run_program(int argc, char** argv) {
     add_profile_command(program);
     add_source_command(program);
     add_effects_command(program);
+    add_barrier_command(program);
     add_sweep_command(program);
     add_merge_command(program);
     add_delete_command(program);
     add_table_command(program);
+    add_at_command(program);
     add_estimate_command(program);
     add_accuracy_command(program);
     add_map_command(program);

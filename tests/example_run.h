@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "measures/measures.h"
 #include "scene/scene.h"
 #include "store/store.h"
@@ -48,8 +50,17 @@ inline RunResult example_result() {
                    .threads = 2,
                    .peak_memory_mb = 37.25,
                    .spared_share = 0.25};
-    result.series = {{0, 0.1, 0.2, 300.3, 0.4, 23750.6}, {0.1, 1.1, 12.7, 280.3, 7.4, 23750.6}};
+    result.series = {{0, 0.15, 0.1, 0.2, 300.3, 0.4, 23750.6}, {0.1, 1.2, 1.1, 12.7, 280.3, 7.4, 23750.6}};
     result.deposit = {{834510.25, 43.1, 0.3, 0.4}, {834512.75, 41.5, 1.3, 1.4}, {834515.1, 41.4, 0.9, 1.1}};
+    result.envelope = {-3.5,
+                       0.7,
+                       {0.1, 0.3, 0.7},
+                       {1.1, 2.2, 0.0},
+                       {0.06, 0.25, 0.0},
+                       {230.1, 410.3, 0.0},
+                       {0.0, 1.3, std::nan("")},
+                       {0.1, 0.2, 0.01},
+                       {0.0, 3.3, 0.1}};
     result.phases = {{"pressure", 1.5}, {"friction", 0.6}};
     result.invariants = {{"speed", 0.91, 2.0, 0.31, 1.7}, {"volume", 0.0031, 0.02, 0.47, -0.2}};
     result.snapshots = {{0.25, {1.5F, 2.25F}, {0.5F, 0.1F}, {3.3F, -1.0F}, {0.0F, 7.0F}, {1e5F, 0.3F}},

@@ -14,6 +14,7 @@ enum class RunStatus {
     not_converged,  ///< the pressure equation did not reach its tolerance
     diverged,       ///< an invariant of the physics was violated
     interrupted,    ///< stopped by the user
+    not_a_body,     ///< came to rest as spray, or thinner than what counts as a front: said by who reads it
 };
 
 /// The word stored and printed: "settled", "time_limit", ... "unknown" for what is none of them.
@@ -35,6 +36,8 @@ constexpr std::string_view to_string(RunStatus status) {
             return "diverged";
         case RunStatus::interrupted:
             return "interrupted";
+        case RunStatus::not_a_body:
+            return "not_a_body";
     }
     return "unknown";
 }

@@ -61,6 +61,10 @@ ChartPoints chart_points(const std::vector<ChartRow>& rows, const ChartQuestion&
             ++(row.status == to_string(RunStatus::stable) ? found.standing : found.without_result);
             continue;
         }
+        if (row.front_definition != current_front_definition) {
+            ++found.former_fronts;
+            continue;
+        }
         if (std::isnan(plane)) plane = row.discontinuity_angle_deg;
         if (std::abs(row.discontinuity_angle_deg - plane) > same_plane_deg) {
             ++found.other_planes;

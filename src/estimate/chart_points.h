@@ -49,6 +49,7 @@ struct ChartPoints {
     std::vector<ChartPoint> points;
     std::size_t standing = 0;  ///< sources that stand have no run-out
     std::size_t without_result = 0;
+    std::size_t former_fronts = 0;  ///< run-out by the definition of before database 10
     std::size_t other_effects = 0;  ///< effects on that the question has not, or the reverse
     std::size_t other_planes = 0;   ///< S_front of another discontinuity angle
     std::size_t coarser = 0;        ///< than another run of the same source and friction angle

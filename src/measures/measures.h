@@ -9,27 +9,39 @@
 
 namespace runout {
 
+/// What run-out, reach angle and front of a run rest on (docs/front.md); a run of before database 10 has
+/// "top".
+constexpr const char* current_front_definition = "thickness";
+
 /// What is said of a finished run. Names carry their units and are the same here, in the database and in
 /// JSON. NaN where a measure does not exist (a reach angle of a source that stands), stored as NULL.
 struct Measures {
-    double run_out_m = 0;  ///< L_inf: contiguous front by top, along the run-out surface from the toe
-    double run_out_normalised = 0;      ///< L_inf / sqrt(S_inf)
-    double front_by_mass_m = 0;         ///< the same front read off the thickness by mass
-    double front_mass_995_m = 0;        ///< distance from the toe that 99.5 % of the mass does not pass
-    double front_thickness_m = 0;       ///< threshold of the contiguous front
-    double reach_angle_deg = 0;         ///< from the head of the source to the distal margin
-    double source_area_m2 = 0;          ///< S_0
-    double deposit_area_m2 = 0;         ///< S_inf
-    double front_area_m2 = 0;           ///< S_front
-    double front_area_ratio = 0;        ///< S_front / S_0
-    double drop_height_m = 0;           ///< H_d to its datum
-    double drop_height_normalised = 0;  ///< H_d / sqrt(S_inf)
-    double deposit_height_m = 0;        ///< greatest thickness by top
-    double toe_thickness_m = 0;         ///< thickness by top at the toe of the cut
-    double peak_front_speed_m_s = 0;    ///< greatest speed of the 99.5 % mass point
-    double time_to_rest_s = 0;          ///< simulated time at which motion ended
-    double stray_particles = 0;         ///< particles not connected to the deposit
-    double eroded_area_m2 = 0;          ///< soil of an erodible bed that has moved; NaN: the bed is rigid
+    double run_out_m = 0;                ///< L_inf: front of the deposit at rest, horizontal, from the toe
+    double run_out_normalised = 0;       ///< L_inf / sqrt(S_inf)
+    double run_out_along_bed_m = 0;      ///< the same front, along the bed from the toe
+    double farthest_front_m = 0;         ///< farthest front at any instant, horizontal, from the toe
+    double front_thickness_m = 0;        ///< threshold of the front
+    double front_window_m = 0;           ///< half-width of the window that the thickness is taken in
+    double front_by_top_m = 0;           ///< contiguous front by top, horizontal, from the toe
+    double front_by_mass_m = 0;          ///< the same front read off the thickness by mass
+    double front_mass_995_m = 0;         ///< distance from the toe that 99.5 % of the mass does not pass
+    double reach_angle_deg = 0;          ///< from the head of the source to the distal margin
+    double source_area_m2 = 0;           ///< S_0
+    double deposit_area_m2 = 0;          ///< S_inf
+    double front_area_m2 = 0;            ///< S_front
+    double front_area_ratio = 0;         ///< S_front / S_0
+    double drop_height_m = 0;            ///< H_d to its datum
+    double drop_height_normalised = 0;   ///< H_d / sqrt(S_inf)
+    double deposit_height_m = 0;         ///< greatest thickness by top
+    double toe_thickness_m = 0;          ///< thickness by top at the toe of the cut
+    double peak_front_speed_m_s = 0;     ///< greatest speed of the soil in the window at the front
+    double peak_mass_995_speed_m_s = 0;  ///< greatest speed of the 99.5 % mass point
+    double time_to_rest_s = 0;           ///< simulated time at which motion ended
+    double stray_particles = 0;          ///< particles not connected to the deposit
+    double farthest_soil_m = 0;          ///< farthest single grain at any instant, horizontal, from the toe
+    double beyond_front_area_m2 = 0;     ///< soil at rest beyond the front, thinner than the threshold
+    double beyond_front_speed_m_s = 0;   ///< greatest speed of a grain beyond the front of its instant
+    double eroded_area_m2 = 0;           ///< soil of an erodible bed that has moved; NaN: the bed is rigid
 };
 
 /// One column of Measures: drives the database, JSON and text alike.
@@ -43,7 +55,8 @@ std::span<const MeasureField> measure_fields();
 /// State of the whole mass at one instant. Energies per metre of width.
 struct SeriesRow {
     double time_s = 0;
-    double front_m = 0;  ///< 99.5 % mass point, along the run-out surface from the toe
+    double front_m = 0;           ///< front, horizontal, from the toe; NaN: nothing is that thick
+    double front_mass_995_m = 0;  ///< 99.5 % mass point, horizontal, from the toe
     double kinetic_energy_j_m = 0;
     double potential_energy_j_m = 0;  ///< above the toe
     double plastic_work_j_m = 0;      ///< dissipated by friction since release
@@ -92,8 +105,8 @@ struct StageRow {
     double run_out_m = 0;          ///< as Measures::run_out_m
 };
 
-/// What a gauge reads at one instant.
-struct GaugeRow {
+/// What a place reads at one instant.
+struct PlaceRow {
     double time_s = 0;
     double thickness_m = 0;     ///< soil area per width
     double speed_m_s = 0;       ///< mean over depth; negative away from the run-out
@@ -102,15 +115,32 @@ struct GaugeRow {
 };
 
 /// What passed one place.
-struct GaugeRecord {
+struct PlaceRecord {
     std::string name;
-    double chainage_m = 0;
-    double arrival_time_s = 0;  ///< of a front as thick as front_thickness_m; NaN: none arrived
+    std::string kind;
+    double chainage_m = 0;      ///< of its near edge
+    double width_m = 0;         ///< from there away from the cut
+    double arrival_time_s = 0;  ///< first instant at which the front is at or beyond it; NaN: not reached
     double greatest_thickness_m = 0;
     double greatest_speed_m_s = 0;
     double greatest_kinetic_head_m = 0;
-    double passed_area_m2 = 0;  ///< at the end
-    std::vector<GaugeRow> rows;
+    double greatest_momentum_flux_n_m = 0;  ///< rho v^2 h
+    double final_thickness_m = 0;           ///< at the near edge, as all of rows
+    double passed_area_m2 = 0;              ///< at the end
+    std::vector<PlaceRow> rows;
+};
+
+/// What passed along the section, at equal steps of horizontal distance from the toe, towards the run-out.
+/// One value each; speeds, heads and fluxes are of soil as thick as the front.
+struct Envelope {
+    double first_m = 0, step_m = 0;
+    std::vector<double> greatest_thickness_m;
+    std::vector<double> greatest_speed_m_s;  ///< averaged over depth and window
+    std::vector<double> greatest_kinetic_head_m;
+    std::vector<double> greatest_momentum_flux_n_m;  ///< rho v^2 h, per metre of width
+    std::vector<double> arrival_time_s;              ///< of the front; NaN: not reached
+    std::vector<double> final_thickness_m;
+    std::vector<double> passed_area_m2;  ///< soil that has passed since release, net
 };
 
 /// Load of a barrier over the last stored interval, per metre of width; x towards the run-out.
@@ -189,7 +219,8 @@ struct RunResult {
     std::vector<Snapshot> snapshots;
     std::vector<Frame> frames;     ///< empty unless asked for in RunControl
     std::vector<StageRow> stages;  ///< empty unless the release is staged
-    std::vector<GaugeRecord> gauges;
+    std::vector<PlaceRecord> places;
+    Envelope envelope;
     std::vector<BarrierRecord> barriers;  ///< one, or none
     std::vector<EffectRow> effects;       ///< all that the program knows
     std::vector<std::string> advice;      ///< sentences: effects that were off and may matter

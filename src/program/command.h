@@ -27,6 +27,8 @@ void add_sweep_command(CommandLine& program);
 void add_merge_command(CommandLine& program);
 void add_delete_command(CommandLine& program);
 void add_table_command(CommandLine& program);
+void add_at_command(CommandLine& program);
+void add_barrier_command(CommandLine& program);
 void add_estimate_command(CommandLine& program);
 void add_report_command(CommandLine& program);
 void add_compare_command(CommandLine& program);

@@ -6,7 +6,8 @@
 #include <limits>
 
 #include "engine/simulation.h"
-#include "measures/gauges.h"
+#include "measures/front_rule.h"
+#include "measures/places.h"
 #include "scene/effect_settings.h"
 #include "scene/make_problem.h"
 
@@ -27,11 +28,13 @@ double thread_seconds() {
 double cost_of_step(const Scene& scene) {
     Simulation simulation(make_problem(scene));
     while (!simulation.released()) simulation.step();
-    GaugeRecorder gauges(scene.gauges, 0.0, 0.0);
+    PlaceRecorder places(scene.places, 0.0, scene.material.density);
+    ReachRecorder reach(front_rule(scene), simulation.state());
     const double start = thread_seconds();
     while (simulation.work().steps < steps && simulation.status() == RunStatus::running) {
         simulation.step();
-        if (!scene.gauges.empty()) gauges.sample(simulation.state());
+        reach.look(simulation.state());
+        if (!scene.places.empty()) places.sample(reach, simulation.state());
     }
     const long taken = simulation.work().steps;
     return taken > 0 ? (thread_seconds() - start) / static_cast<double>(taken) : 0.0;
@@ -58,14 +61,14 @@ std::vector<MeasuredEffect> measure_effects(const Scene& scene) {
     coarse.run.threads = 1;
     std::vector<Scene> scenes = {coarse};
     std::vector<MeasuredEffect> effects;
-    for (const EffectState& state : effect_states(scene.effects, scene.gauges.size())) {
+    for (const EffectState& state : effect_states(scene.effects, scene.places.size())) {
         effects.push_back({state.name, state.on, state.meaning, std::numeric_limits<double>::quiet_NaN()});
         if (!state.on) continue;
         scenes.push_back(coarse);
         if (state.effect)
             scenes.back().effects = without(coarse.effects, *state.effect);
         else
-            scenes.back().gauges.clear();
+            scenes.back().places.clear();
     }
     if (scenes.size() == 1) return effects;
     const std::vector<double> costs = costs_of(scenes);

@@ -8,14 +8,17 @@
 #include <numbers>
 #include <optional>
 
-#include "core/units.h"
 #include "engine/simulation.h"
 #include "measures/advice.h"
 #include "measures/barrier.h"
 #include "measures/deposit.h"
-#include "measures/gauges.h"
+#include "measures/envelope.h"
+#include "measures/front_rule.h"
+#include "measures/places.h"
+#include "measures/reach.h"
 #include "run/frames.h"
 #include "run/peak_memory.h"
+#include "run/rest_measures.h"
 #include "run/series.h"
 #include "run/snapshots.h"
 #include "scene/effect_settings.h"
@@ -28,6 +31,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double samples_per_time_scale = 20.0;
 constexpr double looks_per_time_scale = 4.0;  // for advice: each costs a sum over pairs
+constexpr long steps_per_look = 4;  // at front and places: no particle moves by a spacing between two of them
 constexpr double first_frames_per_time_scale = 20.0;
 constexpr double progress_period_s = 0.1;
 
@@ -41,13 +45,6 @@ double cpu_seconds(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-double thickness_at_toe(const DepositProfile& profile) {
-    for (const auto& bin : profile.bins) {
-        if (bin.x > 0.0 && bin.x <= profile.bin_width) return bin.by_top;
-    }
-    return 0.0;
-}
-
 std::vector<DepositRow> rows_of(const DepositProfile& profile, const Profile& section) {
     std::vector<DepositRow> rows;
     for (const auto& bin : profile.bins) {
@@ -56,59 +53,6 @@ std::vector<DepositRow> rows_of(const DepositProfile& profile, const Profile& se
     }
     if (!section.descends_with_chainage) std::reverse(rows.begin(), rows.end());
     return rows;
-}
-
-/// Angle below the horizontal from the head of the source to the distal margin, degrees.
-double reach_angle(const Vec2& head, const Vec2& margin) {
-    return degrees(std::atan2(head.y() - margin.y(), margin.x() - head.x()));
-}
-
-double front_threshold(const Scene& scene) {
-    return scene.run.front_thickness > 0 ? scene.run.front_thickness : 0.03 * std::sqrt(scene.source.area);
-}
-
-Measures measures_at_rest(const Scene& scene, const Simulation& simulation, const DepositProfile& profile,
-                          const std::vector<char>& body, double peak_speed) {
-    const StateView state = simulation.state();
-    const BedLine& bed = *state.ground;
-    const Source& source = scene.source;
-    Measures m;
-    m.front_thickness_m = front_threshold(scene);
-    const double front = contiguous_front(profile, &DepositProfile::Bin::by_top, m.front_thickness_m);
-    const double by_mass = contiguous_front(profile, &DepositProfile::Bin::by_mass, m.front_thickness_m);
-    const bool stood = simulation.status() == RunStatus::stable;
-    const auto beyond_toe = [&](double x) { return stood ? 0.0 : std::max(0.0, distance_along_bed(bed, x)); };
-    m.run_out_m = beyond_toe(front);
-    m.front_by_mass_m = beyond_toe(by_mass);
-    m.front_mass_995_m = beyond_toe(mass_front(state, 0.005));
-    m.source_area_m2 = source.area;
-    m.deposit_area_m2 = deposit_area(state, body);
-    m.run_out_normalised = m.run_out_m / std::sqrt(m.deposit_area_m2);
-    m.reach_angle_deg = stood ? std::numeric_limits<double>::quiet_NaN()
-                              : reach_angle(source.head, {front, bed.elevation(front)});
-    m.front_area_m2 = source.front_area;
-    m.front_area_ratio = source.front_area / source.area;
-    m.drop_height_m = source.drop_height;
-    m.drop_height_normalised = source.drop_height / std::sqrt(m.deposit_area_m2);
-    for (const auto& bin : profile.bins) m.deposit_height_m = std::max(m.deposit_height_m, bin.by_top);
-    m.toe_thickness_m = thickness_at_toe(profile);
-    m.peak_front_speed_m_s = stood ? 0.0 : peak_speed;
-    m.time_to_rest_s = simulation.motion_ended();
-    m.eroded_area_m2 =
-        scene.effects.erodible_bed ? simulation.eroded_area() : std::numeric_limits<double>::quiet_NaN();
-    for (std::size_t i = 0; i < body.size(); ++i)
-        if (body[i] == 0 && state.is_debris(i)) m.stray_particles += 1;
-    return m;
-}
-
-StageRow stage_at_rest(const Scene& scene, const Simulation& simulation) {
-    const StateView state = simulation.state();
-    const DepositProfile profile = deposit_profile(state, connected_body(state));
-    const double front = contiguous_front(profile, &DepositProfile::Bin::by_top, front_threshold(scene));
-    double height = 0.0;
-    for (const auto& bin : profile.bins) height = std::max(height, bin.by_top);
-    return {simulation.time(), state.discretisation->volume() * static_cast<double>(state.x.size()),
-            degrees(surface_angle(profile, front)), height, distance_along_bed(*state.ground, front)};
 }
 
 RunWork work_of(const Simulation& simulation) {
@@ -133,7 +77,7 @@ RunWork work_of(const Simulation& simulation) {
 
 std::vector<EffectRow> effects_of(const Scene& scene, const Simulation& simulation) {
     std::vector<EffectRow> rows;
-    for (const EffectState& state : effect_states(scene.effects, scene.gauges.size())) {
+    for (const EffectState& state : effect_states(scene.effects, scene.places.size())) {
         EffectRow row{state.name, state.on, state.meaning, std::numeric_limits<double>::quiet_NaN()};
         for (const EffectCost& cost : simulation.effect_costs())
             if (cost.effect == state.effect) row.cost_s = cost.seconds;
@@ -146,57 +90,79 @@ std::vector<EffectRow> effects_of(const Scene& scene, const Simulation& simulati
 class Recorders {
   public:
     Recorders(const Scene& scene, const Simulation& simulation, int frames)
-        : series_(simulation.time_scale() / samples_per_time_scale),
+        : reach_(front_rule(scene), simulation.state()),
+          envelope_(scene.material.density, reach_),
+          series_(simulation.time_scale() / samples_per_time_scale),
           snapshots_(scene.run.snapshot_times),
           frames_(frames, simulation.time_scale() / first_frames_per_time_scale),
           advisor_(scene, simulation.time_scale() / looks_per_time_scale) {
         const double interval = simulation.time_scale() / samples_per_time_scale;
-        if (!scene.gauges.empty()) gauges_.emplace(scene.gauges, interval, front_threshold(scene));
-        if (scene.effects.barrier) barrier_.emplace(scene, interval, front_threshold(scene));
-        series_.sample(simulation, true);
-        sample_gauges(simulation, true);
+        if (!scene.places.empty()) places_.emplace(scene.places, interval, scene.material.density);
+        if (scene.effects.barrier) barrier_.emplace(scene, interval, front_rule(scene).threshold);
+        series_.sample(simulation, reach_);
+        envelope_.look(reach_, simulation.state());
+        sample_places(simulation, true);
     }
 
     void sample(const Simulation& simulation) {
-        series_.sample(simulation);
+        const bool is_due = series_.is_due(simulation);
+        if (simulation.released() && (is_due || simulation.work().steps % steps_per_look == 0)) {
+            reach_.look(simulation.state());
+            envelope_.look(reach_, simulation.state());
+            sample_places(simulation, false);
+        }
+        if (simulation.released() && is_due) series_.sample(simulation, reach_);
         snapshots_.sample(simulation);
         frames_.sample(simulation);
         advisor_.look(simulation);
-        sample_gauges(simulation, false);
         if (barrier_) barrier_->sample(simulation);
     }
 
     void finish(const Simulation& simulation, const Profile& profile, RunResult& result) {
-        series_.sample(simulation, true);
+        reach_.look(simulation.state());
+        envelope_.look(reach_, simulation.state());
+        series_.sample(simulation, reach_);
         frames_.sample(simulation, true);
-        sample_gauges(simulation, true);
+        sample_places(simulation, true);
         if (barrier_) barrier_->sample(simulation, true);
         result.series = series_.rows();
         result.snapshots = snapshots_.snapshots();
         result.frames = frames_.frames();
         result.advice = advisor_.sentences();
-        if (gauges_)
-            result.gauges = gauges_->records([&](double x) { return profile.to_section({x, 0}).x(); });
+        if (places_)
+            result.places = places_->records([&](double x) { return profile.to_section({x, 0}).x(); });
+        result.envelope = envelope_.envelope();
         if (barrier_) result.barriers = {barrier_->record()};
+        if (simulation.status() == RunStatus::stable) forget_arrivals(result);
     }
 
-    [[nodiscard]] double peak_front_speed() const { return series_.peak_front_speed(); }
-    [[nodiscard]] double gauge_seconds() const { return gauge_seconds_; }
+    [[nodiscard]] const ReachRecorder& reach() const { return reach_; }
+    [[nodiscard]] double peak_mass_point_speed() const { return series_.peak_mass_point_speed(); }
+    [[nodiscard]] double place_seconds() const { return place_seconds_; }
 
   private:
-    void sample_gauges(const Simulation& simulation, bool always) {
-        if (!gauges_) return;
-        const Stopwatch watch(gauge_seconds_);
-        gauges_->sample(simulation.state(), always);
+    void sample_places(const Simulation& simulation, bool always) {
+        if (!places_) return;
+        const Stopwatch watch(place_seconds_);
+        places_->sample(reach_, simulation.state(), always);
     }
 
+    /// A source that stands reaches nothing, though its window looks a little beyond it.
+    static void forget_arrivals(RunResult& result) {
+        constexpr double never = std::numeric_limits<double>::quiet_NaN();
+        for (PlaceRecord& place : result.places) place.arrival_time_s = never;
+        std::ranges::fill(result.envelope.arrival_time_s, never);
+    }
+
+    ReachRecorder reach_;
+    EnvelopeRecorder envelope_;
     SeriesRecorder series_;
     SnapshotRecorder snapshots_;
     FrameRecorder frames_;
     Advisor advisor_;
-    std::optional<GaugeRecorder> gauges_;
+    std::optional<PlaceRecorder> places_;
     std::optional<BarrierRecorder> barrier_;
-    double gauge_seconds_ = 0;
+    double place_seconds_ = 0;
 };
 
 /// Share of the run that lies behind. Nobody knows when a mass will rest; most do within this time, and once
@@ -237,14 +203,19 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
         interrupted = control.interrupt != nullptr && control.interrupt->load();
     }
     recorders.finish(simulation, scene.profile, result);
-    result.status = interrupted ? RunStatus::interrupted : simulation.status();
-    result.status_detail = interrupted ? "stopped by the user" : simulation.status_detail();
     const StateView state = simulation.state();
     const std::vector<char> body = connected_body(state);
     const DepositProfile profile = deposit_profile(state, body);
     result.effects = effects_of(scene, simulation);
-    if (!scene.gauges.empty()) result.effects.back().cost_s = recorders.gauge_seconds();
-    result.measures = measures_at_rest(scene, simulation, profile, body, recorders.peak_front_speed());
+    if (!scene.places.empty()) result.effects.back().cost_s = recorders.place_seconds();
+    result.measures = measures_at_rest(
+        scene, {simulation, recorders.reach(), profile, body, recorders.peak_mass_point_speed()});
+    const Verdict verdict = interrupted ? Verdict{RunStatus::interrupted, "stopped by the user"}
+                                        : verdict_on(simulation, recorders.reach(), result.measures);
+    result.status = verdict.status;
+    result.status_detail = verdict.detail;
+    if (const std::string warning = spray_warning(simulation, result.measures); !warning.empty())
+        result.advice.insert(result.advice.begin(), warning);
     result.work = work_of(simulation);
     result.deposit = rows_of(profile, scene.profile);
     for (int p = 0; p < static_cast<int>(Phase::count); ++p) {

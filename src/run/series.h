@@ -4,6 +4,7 @@
 
 #include "engine/simulation.h"
 #include "measures/measures.h"
+#include "measures/reach.h"
 
 namespace runout {
 
@@ -13,12 +14,13 @@ class SeriesRecorder {
     /// `interval`: between samples, s.
     explicit SeriesRecorder(double interval) : interval_(interval) {}
 
-    /// Takes a sample if one is due; `always` takes it anyway (start and end of the run).
-    void sample(const Simulation& simulation, bool always = false);
+    [[nodiscard]] bool is_due(const Simulation& simulation) const { return simulation.time() >= due_; }
+    /// Takes a sample; `reach` has looked at this instant.
+    void sample(const Simulation& simulation, const ReachRecorder& reach);
 
     [[nodiscard]] const std::vector<SeriesRow>& rows() const { return rows_; }
-    /// Greatest mean speed of the front between samples, m/s.
-    [[nodiscard]] double peak_front_speed() const { return peak_speed_; }
+    /// Greatest mean speed of the 99.5 % mass point between samples, m/s.
+    [[nodiscard]] double peak_mass_point_speed() const { return peak_speed_; }
 
   private:
     double interval_;

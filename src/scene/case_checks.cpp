@@ -39,7 +39,7 @@ struct Companions {
     std::string_view needs;
 };
 
-constexpr std::array<Companions, 40> companions = {{
+constexpr std::array<Companions, 42> companions = {{
     {"section.columns", "section.file"},
     {"section.decimal", "section.file"},
     {"section.raster", "section.line"},
@@ -79,7 +79,9 @@ constexpr std::array<Companions, 40> companions = {{
     {"effects.erodible_bed.depth_m", "effects.erodible_bed.from_chainage_m"},
     {"effects.erodible_bed.from_chainage_m", "effects.erodible_bed.to_chainage_m"},
     {"effects.erodible_bed.to_chainage_m", "effects.erodible_bed.depth_m"},
-    {"gauge.name", "gauge.chainage_m"},
+    {"place.name", "place.chainage_m"},
+    {"place.width_m", "place.chainage_m"},
+    {"place.kind", "place.chainage_m"},
 }};
 
 /// "run.resolution (case.toml, line 12)"

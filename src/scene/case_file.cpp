@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_entries = 1000;  // of [[gauge]] and the like
+constexpr std::size_t most_entries = 1000;  // of [[place]] and the like
 constexpr std::size_t longest_quoted = 60;  // of a key or a value, in a message
 
 InputPlace whole_file(const std::string& path) {
@@ -203,6 +203,12 @@ Value value_from(const std::string& text, const Parameter& parameter, const Inpu
     return list_from(*parsed.get("list"), parameter, place);
 }
 
+/// [[gauge]] is what [[place]] was called before.
+std::string present_name(std::string name) {
+    if (name == "gauge" || name.starts_with("gauge.")) name.replace(0, 5, "place");
+    return name;
+}
+
 bool is_section(std::string_view name) {
     return std::ranges::any_of(parameters(), [&](const Parameter& parameter) {
         return parameter.key.starts_with(fmt::format("{}.", name));
@@ -216,7 +222,7 @@ class CaseReader {
 
     void read(const toml::table& root) {
         for (const auto& [key, node] : root) {
-            const std::string name(key.str());
+            const std::string name = present_name(std::string(key.str()));
             check_is_one_word(key, place(name, key, node));
             if (!is_section(name) || !read_if_section(name, node))
                 throw unknown_key(first_place(name, key, node));
@@ -365,8 +371,9 @@ CaseSpec read_case(const std::string& path) {
     return spec;
 }
 
-void override_value(CaseSpec& spec, const std::string& key, const std::string& text,
+void override_value(CaseSpec& spec, const std::string& asked, const std::string& text,
                     const std::string& option) {
+    const std::string key = present_name(asked);
     const InputPlace place{.file = option, .line = 0, .key = key, .value = text};
     const Parameter& parameter = known_parameter(place);
     assign(spec, parameter, value_from(text, parameter, place), place);

@@ -35,7 +35,7 @@ struct CaseSpec {
     Effects effects;             ///< positions are chainages still
     std::string shaking_record;  ///< file
     Vec2 pseudo_static{0, 0};    ///< force on the soil over its weight, towards the run-out and upwards
-    std::vector<Gauge> gauges;   ///< x: chainage still, NaN: not given
+    std::vector<Place> places;   ///< x: chainage still, NaN: not given
     RunSettings run;
     std::string accuracy = "5%";  ///< of the run-out, for choosing a spacing that is not given
 

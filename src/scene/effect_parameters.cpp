@@ -183,25 +183,31 @@ std::vector<Parameter> bed_parameters() {
     };
 }
 
-std::vector<Parameter> gauge_parameters() {
+std::vector<Parameter> place_parameters() {
     return {
-        number("gauge.chainage_m", "m", any_number, "none",
-               "[[gauge]], one each: where thickness, speed, arrival and passing of the debris are measured.",
-               [](CaseSpec& spec, double metres) { latest(spec.gauges).x = metres; }),
-        word("gauge.name", {}, "gauge-1, gauge-2, ...", "Its name in tables and reports.",
-             [](CaseSpec& spec, const std::string& name) { latest(spec.gauges).name = name; }),
+        number(
+            "place.chainage_m", "m", any_number, "none",
+            "[[place]], one each: near edge of what may be reached; thickness, speed, arrival and passing of "
+            "the debris are told there. [[gauge]] is another word for it.",
+            [](CaseSpec& spec, double metres) { latest(spec.places).x = metres; }),
+        word("place.name", {}, "place-1, place-2, ...", "Its name in tables and reports.",
+             [](CaseSpec& spec, const std::string& name) { latest(spec.places).name = name; }),
+        number("place.width_m", "m", zero_or_more, "0, a line", "From the near edge away from the cut.",
+               [](CaseSpec& spec, double metres) { latest(spec.places).width = metres; }),
+        word("place.kind", {}, "not said", "What it is: building, road, barrier line, ...",
+             [](CaseSpec& spec, const std::string& kind) { latest(spec.places).kind = kind; }),
     };
 }
 
 }  // namespace
 
 bool is_list_section(std::string_view section) {
-    return section == "gauge" || section == "effects.release.mass";
+    return section == "place" || section == "effects.release.mass";
 }
 
 void begin_entry(CaseSpec& spec, std::string_view section) {
-    if (section == "gauge") {
-        spec.gauges.push_back({{}, std::nan("")});
+    if (section == "place") {
+        spec.places.push_back({.x = std::nan("")});
     } else {
         named(spec.effects.release).masses.push_back({std::nan(""), {}});
     }
@@ -211,7 +217,7 @@ std::vector<Parameter> effect_parameters() {
     std::vector<Parameter> table;
     for (const auto& part : {base_friction_parameters(), strength_parameters(), water_parameters(),
                              barrier_parameters(), shaking_parameters(), channel_parameters(),
-                             release_parameters(), bed_parameters(), gauge_parameters()})
+                             release_parameters(), bed_parameters(), place_parameters()})
         table.insert(table.end(), part.begin(), part.end());
     return table;
 }

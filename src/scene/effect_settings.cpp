@@ -207,14 +207,14 @@ std::string settings_text(const std::vector<EffectSetting>& settings, const std:
     return text.size() > 90 ? text.substr(0, 87) + "..." : text;
 }
 
-std::vector<EffectState> effect_states(const Effects& effects, std::size_t gauges) {
+std::vector<EffectState> effect_states(const Effects& effects, std::size_t places) {
     std::vector<EffectState> states;
     for (const EffectEntry& row : table) {
         const bool on = row.is_on(effects);
         states.push_back({row.id, row.name, on, on ? row.with : row.without});
     }
-    states.push_back({std::nullopt, "gauges", gauges > 0,
-                      gauges > 0 ? "passing debris is measured" : "nothing is measured on the way"});
+    states.push_back({std::nullopt, "places", places > 0,
+                      places > 0 ? "passing debris is measured" : "nothing is measured on the way"});
     return states;
 }
 

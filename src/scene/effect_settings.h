@@ -27,14 +27,14 @@ std::string settings_text(const std::vector<EffectSetting>& settings, const std:
 
 /// One effect of the program: whether the case asks for it, and what it says when it does not.
 struct EffectState {
-    std::optional<EffectId> effect;  ///< none: the gauges
+    std::optional<EffectId> effect;  ///< none: the places
     std::string name;                ///< "pore_pressure", as in the case file
     bool on = false;
     std::string meaning;  ///< "water in the pores takes off pressure", "no water: the soil is dry"
 };
 
-/// Every effect the program knows, and the gauges, on or off.
-std::vector<EffectState> effect_states(const Effects& effects, std::size_t gauges);
+/// Every effect the program knows, and the places, on or off.
+std::vector<EffectState> effect_states(const Effects& effects, std::size_t places);
 
 /// The same effects without one.
 Effects without(Effects effects, EffectId effect);

@@ -18,6 +18,7 @@ std::vector<Length> lengths_of(const CaseSpec& spec) {
     const Effects& effects = spec.effects;
     // A front as thick as half of the mass lies where nobody would look for one.
     std::vector<Length> lengths = {{"run.front_thickness_m", spec.run.front_thickness, 0, 0.5}};
+    if (spec.run.front_window > 0) lengths.push_back({"run.front_window_m", spec.run.front_window, 0.02, 2});
     if (effects.side_walls)
         lengths.push_back({"effects.side_walls.width_m", effects.side_walls->width, 0.1, 1e6});
     if (effects.erodible_bed)

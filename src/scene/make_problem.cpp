@@ -8,8 +8,8 @@ namespace {
 SolverSettings solver_settings(const RunSettings& run, double spacing) {
     // A new setting must be given its place here, or this does not compile.
     const auto& [particle_spacing, resolution, gravity, courant, smoothing_ratio, friction,
-                 friction_iterations, pressure_tolerance, time_limit, front_thickness, sleeping, lattice_seed,
-                 snapshot_times, threads] = run;
+                 friction_iterations, pressure_tolerance, time_limit, front_thickness, front_window, sleeping,
+                 lattice_seed, snapshot_times, threads] = run;
     return {spacing,
             gravity,
             courant,

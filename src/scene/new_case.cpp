@@ -225,19 +225,19 @@ std::string heading(const std::string& name) {
     return is_list_section(name) ? fmt::format("[[{}]]", name) : fmt::format("[{}]", name);
 }
 
-/// Effects and gauges that were given, and the names of all.
+/// Effects and places that were given, and the names of all.
 void write_effects(CaseText& text, const CaseSpec& spec) {
     std::vector<std::string> names;
     for (const Parameter& parameter : parameters()) {
         const std::string name(parameter.key.substr(0, parameter.key.rfind('.')));
-        const bool named = name.starts_with("effects.") || name == "gauge";
+        const bool named = name.starts_with("effects.") || name == "place";
         if (named && std::ranges::find(names, name) == names.end()) names.push_back(name);
     }
     std::string list;
     for (const std::string& name : names) list += (list.empty() ? "" : ", ") + heading(name);
     text.blank();
     text.comment(
-        fmt::format("Effects and gauges exist only where the case names them (docs/effects.md): {}.", list));
+        fmt::format("Effects and places exist only where the case names them (docs/effects.md): {}.", list));
     for (const std::string& name : names) {
         const bool given = std::ranges::any_of(spec.given, [&](const auto& entry) {
             return entry.first.substr(0, entry.first.rfind('.')) == name;

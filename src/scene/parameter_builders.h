@@ -50,7 +50,7 @@ Parameter numbers(std::string_view key, std::string_view unit, Range range, std:
 Parameter rows(std::string_view key, Words columns, std::string_view fallback, std::string_view help,
                SetRows set);
 
-/// Keys of the effects and of the gauges.
+/// Keys of the effects and of the places.
 std::vector<Parameter> effect_parameters();
 
 }  // namespace runout

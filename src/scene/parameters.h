@@ -47,7 +47,7 @@ struct Parameter {
 /// The table of all keys, in the order of the documentation.
 std::span<const Parameter> parameters();
 
-/// Sections that may stand several times in a case, as [[gauge]] does: their keys belong to the latest entry.
+/// Sections that may stand several times in a case, as [[place]] does: their keys belong to the latest entry.
 bool is_list_section(std::string_view section);
 
 /// Begins one more entry of such a section.

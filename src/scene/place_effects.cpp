@@ -79,12 +79,18 @@ PorePressure place_pore_pressure(const CaseSpec& spec, const Profile& profile) {
     return pore;
 }
 
+/// Lower end of the source, as x.
+double end_of(const Source& source) {
+    double end = source.outline.front().x();
+    for (const Vec2& corner : source.outline) end = std::max(end, corner.x());
+    return end;
+}
+
 Barrier place_barrier(const CaseSpec& spec, const Site& site) {
     Barrier barrier = *spec.effects.barrier;
     const double chainage = barrier.x;
     barrier.x = place_x(spec, site.profile, "effects.barrier.chainage_m", chainage);
-    double source_end = site.source.outline.front().x();
-    for (const Vec2& corner : site.source.outline) source_end = std::max(source_end, corner.x());
+    const double source_end = end_of(site.source);
     if (barrier.x < source_end)
         throw InputError(spec.place("effects.barrier.chainage_m"),
                          "puts the barrier into the source or uphill of it",
@@ -176,24 +182,45 @@ Effects place_effects(const CaseSpec& spec, const Site& site) {
     return effects;
 }
 
-std::vector<Gauge> place_gauges(const CaseSpec& spec, const Profile& profile) {
-    std::vector<Gauge> gauges = spec.gauges;
-    for (std::size_t i = 0; i < gauges.size(); ++i) {
-        if (std::isnan(gauges[i].x))
-            throw InputError(spec.place("gauge.chainage_m"),
-                             fmt::format("is missing for [[gauge]] {}", i + 1),
+namespace {
+
+/// Of the near and the far edge.
+void check_on_ground(const CaseSpec& spec, const Site& site, const Place& place) {
+    constexpr double rounding = 1e-9;
+    const double source_end = end_of(site.source);
+    const double end_chainage = site.profile.to_section({source_end, 0}).x();
+    if (place.x < source_end - rounding)
+        throw InputError(spec.place("place.chainage_m"),
+                         fmt::format("puts {} into the source or uphill of it", place.name),
+                         fmt::format("the source ends at chainage {:.6g} m", end_chainage));
+    const double last = site.profile.ground.back().x();
+    if (place.x + place.width > last)
+        throw InputError(spec.place("place.width_m"), fmt::format("ends {} beyond the section", place.name),
+                         fmt::format("valid: up to {:.6g} m", last - place.x));
+}
+
+}  // namespace
+
+std::vector<Place> located_places(const CaseSpec& spec, const Site& site) {
+    const Profile& profile = site.profile;
+    std::vector<Place> places = spec.places;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (std::isnan(places[i].x))
+            throw InputError(spec.place("place.chainage_m"),
+                             fmt::format("is missing for [[place]] {}", i + 1),
                              "give its chainage in metres");
-        gauges[i].x = place_x(spec, profile, "gauge.chainage_m", gauges[i].x);
-        if (gauges[i].name.empty()) gauges[i].name = fmt::format("gauge-{}", i + 1);
-        const auto end = gauges.begin() + static_cast<std::ptrdiff_t>(i);
-        const auto same = std::ranges::find(gauges.begin(), end, gauges[i].name, &Gauge::name);
+        places[i].x = place_x(spec, profile, "place.chainage_m", places[i].x);
+        if (places[i].name.empty()) places[i].name = fmt::format("place-{}", i + 1);
+        check_on_ground(spec, site, places[i]);
+        const auto end = places.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto same = std::ranges::find(places.begin(), end, places[i].name, &Place::name);
         if (same != end)
-            throw InputError(spec.place("gauge.name"),
-                             fmt::format("names [[gauge]] {} and {} alike: {}", same - gauges.begin() + 1,
-                                         i + 1, gauges[i].name),
+            throw InputError(spec.place("place.name"),
+                             fmt::format("names [[place]] {} and {} alike: {}", same - places.begin() + 1,
+                                         i + 1, places[i].name),
                              "give each a name of its own");
     }
-    return gauges;
+    return places;
 }
 
 }  // namespace runout

@@ -11,8 +11,8 @@ namespace runout {
 /// InputError for what does not fit the site or contradicts itself.
 Effects place_effects(const CaseSpec& spec, const Site& site);
 
-/// The gauges of the case, named and placed. Throws InputError when one has no chainage or is not on the
+/// The places of the case, named and placed. Throws InputError when one has no chainage or is not on the
 /// section.
-std::vector<Gauge> place_gauges(const CaseSpec& spec, const Profile& profile);
+std::vector<Place> located_places(const CaseSpec& spec, const Site& site);
 
 }  // namespace runout

@@ -146,14 +146,14 @@ Scene make_scene(const CaseSpec& spec) {
     check_particle_count(spec, site.source.area);
     check_lengths(spec, site.source.area);
     Effects effects = place_effects(spec, site);
-    std::vector<Gauge> gauges = place_gauges(spec, site.profile);
+    std::vector<Place> places = located_places(spec, site);
     const RunSettings run = run_settings(spec, site.assumed);
     Scene scene{.name = spec.name,
                 .profile = std::move(site.profile),
                 .source = std::move(site.source),
                 .material = spec.material,
                 .effects = std::move(effects),
-                .gauges = std::move(gauges),
+                .places = std::move(places),
                 .run = run,
                 .assumed = std::move(site.assumed)};
     check_comes_to_rest(scene, [&](std::string_view key) { return spec.place(key); });

@@ -5,7 +5,7 @@
 
 #include "engine/problem.h"
 #include "profile/profile.h"
-#include "scene/gauge.h"
+#include "scene/place.h"
 #include "source/source.h"
 
 namespace runout {
@@ -21,7 +21,8 @@ struct RunSettings {
     int friction_iterations = 6;         ///< a step
     double pressure_tolerance = 1e-2;    ///< relative residual of the pressure equation
     double time_limit = 0;               ///< s of simulated time; 0: 60 sqrt(H/g) or more
-    double front_thickness = 0;          ///< m, threshold of the contiguous front; 0: 3 % of sqrt(S)
+    double front_thickness = 0;          ///< m, threshold of the front; 0: 3 % of sqrt(S)
+    double front_window = 0;             ///< m, half-width of its window; 0: 30 % of sqrt(S)
     bool sleeping = true;                ///< nothing is solved for soil at rest; projected friction only
     int lattice_seed = 0;                ///< 0: regular lattice; else particles start off it at random
     std::vector<double> snapshot_times;  ///< s since release, rising: instants to keep the particles of
@@ -35,7 +36,7 @@ struct Scene {
     Source source;
     Material material;
     Effects effects;
-    std::vector<Gauge> gauges;  ///< in the order of the case
+    std::vector<Place> places;  ///< in the order of the case
     RunSettings run;
     std::vector<std::string>
         assumed;  ///< "source.base_angle_deg = 35", what was not given and had to be chosen

@@ -34,6 +34,7 @@ ChartRow read_row(const SQLite::Statement& statement) {
     row.run_id = statement.getColumn(place++).getInt64();
     row.source_id = statement.getColumn(place++).getInt64();
     row.status = statement.getColumn(place++).getString();
+    row.front_definition = statement.getColumn(place++).getString();
     row.effects = statement.getColumn(place++).getString();
     for (const NumberColumn& column : number_columns) {
         const SQLite::Column number = statement.getColumn(place++);
@@ -48,7 +49,7 @@ std::string chart_rows_sql(bool of_study) {
     std::vector<const char*> names;
     for (const NumberColumn& column : number_columns) names.push_back(column.sql);
     return fmt::format(
-        "SELECT run.run_id, source.source_id, run.status,"
+        "SELECT run.run_id, source.source_id, run.status, run.front_definition,"
         " coalesce((SELECT group_concat(effect || '.' || key || ' = ' || value, ', ') FROM effect_setting"
         " WHERE effect_setting.scenario_id = scenario.scenario_id), ''), {}"
         " FROM scenario"

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "measures/measures.h"
+
 namespace SQLite {
 class Database;
 }
@@ -24,6 +26,7 @@ struct ChartRow {
     double run_out_m = 0;  ///< NaN where there is none
     std::string status;
     std::string effects;  ///< "cohesion.cohesion_kpa = 5, ..." in the order of the case; empty: none
+    std::string front_definition = current_front_definition;
 };
 
 /// Of one study, or of the whole database; in the order of the scenarios.

@@ -23,11 +23,12 @@ constexpr std::array work = {
 
 constexpr std::array series = {
     RealColumn<SeriesRow>{"time_s", &SeriesRow::time_s},
-    RealColumn<SeriesRow>{"front_m", &SeriesRow::front_m},
+    RealColumn<SeriesRow>{"front_mass_995_m", &SeriesRow::front_mass_995_m},
     RealColumn<SeriesRow>{"kinetic_energy_j_m", &SeriesRow::kinetic_energy_j_m},
     RealColumn<SeriesRow>{"potential_energy_j_m", &SeriesRow::potential_energy_j_m},
     RealColumn<SeriesRow>{"plastic_work_j_m", &SeriesRow::plastic_work_j_m},
     RealColumn<SeriesRow>{"mass_kg_m", &SeriesRow::mass_kg_m},
+    RealColumn<SeriesRow>{"front_m", &SeriesRow::front_m},
 };
 
 constexpr std::array deposit = {
@@ -45,13 +46,16 @@ constexpr std::array stage = {
     RealColumn<StageRow>{"run_out_m", &StageRow::run_out_m},
 };
 
-constexpr std::array gauge = {
-    RealColumn<GaugeRecord>{"chainage_m", &GaugeRecord::chainage_m},
-    RealColumn<GaugeRecord>{"arrival_time_s", &GaugeRecord::arrival_time_s},
-    RealColumn<GaugeRecord>{"greatest_thickness_m", &GaugeRecord::greatest_thickness_m},
-    RealColumn<GaugeRecord>{"greatest_speed_m_s", &GaugeRecord::greatest_speed_m_s},
-    RealColumn<GaugeRecord>{"greatest_kinetic_head_m", &GaugeRecord::greatest_kinetic_head_m},
-    RealColumn<GaugeRecord>{"passed_area_m2", &GaugeRecord::passed_area_m2},
+constexpr std::array place_numbers = {
+    RealColumn<PlaceRecord>{"chainage_m", &PlaceRecord::chainage_m},
+    RealColumn<PlaceRecord>{"width_m", &PlaceRecord::width_m},
+    RealColumn<PlaceRecord>{"arrival_time_s", &PlaceRecord::arrival_time_s},
+    RealColumn<PlaceRecord>{"greatest_thickness_m", &PlaceRecord::greatest_thickness_m},
+    RealColumn<PlaceRecord>{"greatest_speed_m_s", &PlaceRecord::greatest_speed_m_s},
+    RealColumn<PlaceRecord>{"greatest_kinetic_head_m", &PlaceRecord::greatest_kinetic_head_m},
+    RealColumn<PlaceRecord>{"greatest_momentum_flux_n_m", &PlaceRecord::greatest_momentum_flux_n_m},
+    RealColumn<PlaceRecord>{"final_thickness_m", &PlaceRecord::final_thickness_m},
+    RealColumn<PlaceRecord>{"passed_area_m2", &PlaceRecord::passed_area_m2},
 };
 
 constexpr std::array barrier = {
@@ -117,8 +121,8 @@ constexpr std::array snapshot = {
 static_assert(sizeof(SeriesRow) == series.size() * sizeof(double));
 static_assert(sizeof(DepositRow) == deposit.size() * sizeof(double));
 static_assert(sizeof(StageRow) == stage.size() * sizeof(double));
-static_assert(sizeof(GaugeRecord) ==
-              gauge.size() * sizeof(double) + sizeof(std::string) + sizeof(std::vector<GaugeRow>));
+static_assert(sizeof(PlaceRecord) == place_numbers.size() * sizeof(double) + 2 * sizeof(std::string) +
+                                         sizeof(std::vector<PlaceRow>));
 static_assert(sizeof(BarrierRecord) == barrier.size() * sizeof(double) + sizeof(std::vector<BarrierRow>));
 static_assert(sizeof(FrameScale) == frame_scale.size() * sizeof(double));
 static_assert(sizeof(PilotRow) == pilot.size() * sizeof(double));
@@ -140,8 +144,8 @@ std::span<const RealColumn<DepositRow>> deposit_columns() {
 std::span<const RealColumn<StageRow>> stage_columns() {
     return stage;
 }
-std::span<const RealColumn<GaugeRecord>> gauge_columns() {
-    return gauge;
+std::span<const RealColumn<PlaceRecord>> place_columns() {
+    return place_numbers;
 }
 std::span<const RealColumn<BarrierRecord>> barrier_columns() {
     return barrier;

@@ -27,7 +27,7 @@ struct RealColumn {
 std::span<const RealColumn<SeriesRow>> series_columns();
 std::span<const RealColumn<DepositRow>> deposit_columns();
 std::span<const RealColumn<StageRow>> stage_columns();
-std::span<const RealColumn<GaugeRecord>> gauge_columns();
+std::span<const RealColumn<PlaceRecord>> place_columns();
 std::span<const RealColumn<BarrierRecord>> barrier_columns();
 std::span<const RealColumn<FrameScale>> frame_scale_columns();
 std::span<const RealColumn<PilotRow>> pilot_columns();

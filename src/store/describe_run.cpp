@@ -63,7 +63,7 @@ void make_as_read(StoredRun& run) {
         if (const auto* member = std::get_if<double RunWork::*>(&column.member))
             make_as_read(run.work.**member);
     for (EffectRow& effect : run.effects) make_as_read(effect.cost_s);
-    for (GaugeRecord& gauge : run.gauges) make_as_read(gauge, gauge_columns());
+    for (PlaceRecord& place : run.places) make_as_read(place, place_columns());
     for (BarrierRecord& barrier : run.barriers) make_as_read(barrier, barrier_columns());
 }
 
@@ -92,7 +92,7 @@ StoredRun describe_run(const Scene& scene, const RunResult& result, const Apprai
     run.effects = result.effects;
     run.effect_settings = effect_settings(scene.effects, scene.profile);
     run.advice = result.advice;
-    run.gauges = result.gauges;
+    run.places = result.places;
     run.barriers = result.barriers;
     run.machine = machine_description();
     run.appraisal = appraisal;

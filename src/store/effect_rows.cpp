@@ -22,19 +22,19 @@ void insert(Statement& statement, const Values&... values) {
     statement.reset();
 }
 
-void insert_gauge(Database& database, long run_id, long index, const GaugeRecord& gauge) {
-    std::vector<std::string> names = {"run_id", "gauge_index", "name"};
-    append_names(names, gauge_columns());
-    Statement whole(database, insert_sql("gauge", names));
-    SQLite::bind(whole, run_id, index, gauge.name);
-    int place = 3;
-    bind_numbers(whole, place, gauge, gauge_columns());
+void insert_place(Database& database, long run_id, long index, const PlaceRecord& record) {
+    std::vector<std::string> names = {"run_id", "place_index", "name", "kind"};
+    append_names(names, place_columns());
+    Statement whole(database, insert_sql("place", names));
+    SQLite::bind(whole, run_id, index, record.name, record.kind);
+    int place = 4;
+    bind_numbers(whole, place, record, place_columns());
     whole.exec();
     Statement row(database,
-                  "INSERT INTO gauge_series (run_id, gauge_index, row_index, time_s, thickness_m, speed_m_s,"
+                  "INSERT INTO place_series (run_id, place_index, row_index, time_s, thickness_m, speed_m_s,"
                   " kinetic_head_m, passed_area_m2) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
     long i = 0;
-    for (const GaugeRow& r : gauge.rows)
+    for (const PlaceRow& r : record.rows)
         insert(row, run_id, index, i++, r.time_s, r.thickness_m, r.speed_m_s, r.kinetic_head_m,
                r.passed_area_m2);
 }
@@ -55,12 +55,12 @@ void insert_barrier(Database& database, long run_id, const BarrierRecord& b) {
         insert(row, run_id, i++, r.time_s, r.force_x_n_m, r.force_y_n_m, r.moment_n, r.impulse_x_n_s_m);
 }
 
-std::vector<GaugeRow> select_gauge_rows(Database& database, long run_id, long gauge) {
+std::vector<PlaceRow> select_place_rows(Database& database, long run_id, long number) {
     Statement row(database,
-                  "SELECT time_s, thickness_m, speed_m_s, kinetic_head_m, passed_area_m2 FROM gauge_series"
-                  " WHERE run_id = ? AND gauge_index = ? ORDER BY row_index");
-    SQLite::bind(row, run_id, gauge);
-    std::vector<GaugeRow> rows;
+                  "SELECT time_s, thickness_m, speed_m_s, kinetic_head_m, passed_area_m2 FROM place_series"
+                  " WHERE run_id = ? AND place_index = ? ORDER BY row_index");
+    SQLite::bind(row, run_id, number);
+    std::vector<PlaceRow> rows;
     while (row.executeStep())
         rows.push_back({real_value(row.getColumn(0)), real_value(row.getColumn(1)),
                         real_value(row.getColumn(2)), real_value(row.getColumn(3)),
@@ -68,19 +68,20 @@ std::vector<GaugeRow> select_gauge_rows(Database& database, long run_id, long ga
     return rows;
 }
 
-void select_gauges(Database& database, StoredRun& run) {
-    std::vector<std::string> names = {"name"};
-    append_names(names, gauge_columns());
-    Statement whole(database, fmt::format("SELECT {} FROM gauge WHERE run_id = ? ORDER BY gauge_index",
+void select_places(Database& database, StoredRun& run) {
+    std::vector<std::string> names = {"name", "kind"};
+    append_names(names, place_columns());
+    Statement whole(database, fmt::format("SELECT {} FROM place WHERE run_id = ? ORDER BY place_index",
                                           fmt::join(names, ", ")));
     whole.bind(1, run.run_id);
     while (whole.executeStep()) {
-        const long index = static_cast<long>(run.gauges.size());
-        GaugeRecord& gauge = run.gauges.emplace_back();
-        gauge.name = whole.getColumn(0).getString();
-        int place = 1;
-        read_numbers(whole, place, gauge, gauge_columns());
-        gauge.rows = select_gauge_rows(database, run.run_id, index);
+        const long index = static_cast<long>(run.places.size());
+        PlaceRecord& record = run.places.emplace_back();
+        record.name = whole.getColumn(0).getString();
+        record.kind = whole.getColumn(1).getString();
+        int place = 2;
+        read_numbers(whole, place, record, place_columns());
+        record.rows = select_place_rows(database, run.run_id, index);
     }
 }
 
@@ -159,8 +160,27 @@ void insert_effects(Database& database, long run_id, const StoredRun& run) {
     i = 0;
     for (const std::string& sentence : run.advice) insert(advice, run_id, i++, sentence);
     i = 0;
-    for (const GaugeRecord& gauge : run.gauges) insert_gauge(database, run_id, i++, gauge);
+    for (const PlaceRecord& record : run.places) insert_place(database, run_id, i++, record);
     for (const BarrierRecord& barrier : run.barriers) insert_barrier(database, run_id, barrier);
+}
+
+void select_places(Database& database, std::vector<StoredRun>& runs) {
+    std::vector<std::string> names = {"run_id", "name", "kind"};
+    append_names(names, place_columns());
+    Statement whole(database,
+                    fmt::format("SELECT {} FROM place ORDER BY run_id, place_index", fmt::join(names, ", ")));
+    auto run = runs.begin();
+    while (whole.executeStep()) {
+        const long run_id = whole.getColumn(0).getInt64();
+        while (run != runs.end() && run->run_id < run_id) ++run;
+        if (run == runs.end()) return;
+        if (run->run_id != run_id) continue;
+        PlaceRecord& record = run->places.emplace_back();
+        record.name = whole.getColumn(1).getString();
+        record.kind = whole.getColumn(2).getString();
+        int place = 3;
+        read_numbers(whole, place, record, place_columns());
+    }
 }
 
 void select_effects(Database& database, StoredRun& run) {
@@ -169,7 +189,7 @@ void select_effects(Database& database, StoredRun& run) {
     Statement advice(database, "SELECT sentence FROM advice WHERE run_id = ? ORDER BY row_index");
     advice.bind(1, run.run_id);
     while (advice.executeStep()) run.advice.push_back(advice.getColumn(0).getString());
-    select_gauges(database, run);
+    select_places(database, run);
     select_barrier(database, run);
 }
 

@@ -315,6 +315,57 @@ CREATE TABLE refused_section (
     PRIMARY KEY (origin, feature_id)
 ) STRICT, WITHOUT ROWID;
 )"},
+        Migration{9, R"(
+DROP VIEW result;
+INSERT INTO run_status VALUES ('not_a_body', 0, 'came to rest as spray, or nowhere as thick as the front');
+ALTER TABLE scenario ADD COLUMN front_window_m REAL NOT NULL DEFAULT 0;
+ALTER TABLE run ADD COLUMN front_definition TEXT NOT NULL DEFAULT 'top'
+    CHECK (front_definition IN ('thickness', 'top'));
+ALTER TABLE measure ADD COLUMN run_out_along_bed_m REAL;
+ALTER TABLE measure ADD COLUMN farthest_front_m REAL;
+ALTER TABLE measure ADD COLUMN front_window_m REAL;
+ALTER TABLE measure ADD COLUMN front_by_top_m REAL;
+ALTER TABLE measure ADD COLUMN peak_mass_995_speed_m_s REAL;
+ALTER TABLE measure ADD COLUMN farthest_soil_m REAL;
+ALTER TABLE measure ADD COLUMN beyond_front_area_m2 REAL;
+ALTER TABLE measure ADD COLUMN beyond_front_speed_m_s REAL;
+ALTER TABLE series RENAME COLUMN front_m TO front_mass_995_m;
+ALTER TABLE series ADD COLUMN front_m REAL;
+ALTER TABLE gauge RENAME TO place;
+ALTER TABLE place RENAME COLUMN gauge_index TO place_index;
+ALTER TABLE place ADD COLUMN kind TEXT NOT NULL DEFAULT '';
+ALTER TABLE place ADD COLUMN width_m REAL;
+ALTER TABLE place ADD COLUMN greatest_momentum_flux_n_m REAL;
+ALTER TABLE place ADD COLUMN final_thickness_m REAL;
+ALTER TABLE gauge_series RENAME TO place_series;
+ALTER TABLE place_series RENAME COLUMN gauge_index TO place_index;
+CREATE TABLE envelope (
+    run_id INTEGER PRIMARY KEY REFERENCES run ON DELETE CASCADE,
+    first_m REAL NOT NULL,
+    step_m REAL NOT NULL,
+    greatest_thickness_m BLOB NOT NULL,
+    greatest_speed_m_s BLOB NOT NULL,
+    greatest_kinetic_head_m BLOB NOT NULL,
+    greatest_momentum_flux_n_m BLOB NOT NULL,
+    arrival_time_s BLOB NOT NULL,
+    final_thickness_m BLOB NOT NULL,
+    passed_area_m2 BLOB NOT NULL
+) STRICT;
+CREATE VIEW result AS
+SELECT run.name, run.section_origin, source.source_type, source.discontinuity_angle_deg, source.drop_height_datum,
+       section.slope_angle_deg, section_face.toe_chainage_m, section_face.crest_chainage_m,
+       section_face.face_height_m, run.toe_origin, run.crest_origin, run.section_doubts,
+       scenario.friction_angle_deg, run.status, run.front_definition, run.run_out_error_m,
+       run.reach_angle_error_deg, run.error_origin, measure.*
+FROM run
+JOIN run_status USING (status)
+JOIN scenario USING (scenario_id)
+JOIN source USING (source_id)
+JOIN section USING (section_id)
+JOIN section_face USING (section_id)
+JOIN measure USING (run_id)
+WHERE run_status.is_result = 1;
+)"},
     };
     return steps;
 }

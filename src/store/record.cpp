@@ -25,8 +25,8 @@ constexpr const char* joined_rows =
     "run JOIN scenario USING (scenario_id) JOIN source USING (source_id)"
     " JOIN section USING (section_id) LEFT JOIN measure ON measure.run_id = run.run_id";
 constexpr std::array described_tables = {"run", "scenario", "source", "section", "measure"};
-constexpr std::array read_elsewhere = {"series", "deposit_profile", "snapshot",
-                                       "frame",  "stage",           "phase_time"};
+constexpr std::array read_elsewhere = {"series", "deposit_profile", "snapshot", "frame",
+                                       "stage",  "phase_time",      "envelope"};
 
 template <std::size_t Count>
 bool is_among(const std::array<const char*, Count>& names, const std::string& name) {

@@ -24,10 +24,10 @@ using SQLite::Statement;
 
 /// Columns of `scenario` that say how it is computed and not what is asked. A column that is added later
 /// counts as part of the question until it is named here.
-constexpr std::array<std::string_view, 12> numerical_columns = {
-    "particle_spacing_m",  "resolution",         "courant",      "smoothing_ratio",   "friction_scheme",
-    "friction_iterations", "pressure_tolerance", "time_limit_s", "front_thickness_m", "sleeping",
-    "lattice_seed",        "snapshot_times_s"};
+constexpr std::array<std::string_view, 13> numerical_columns = {
+    "particle_spacing_m",  "resolution",         "courant",       "smoothing_ratio",   "friction_scheme",
+    "friction_iterations", "pressure_tolerance", "time_limit_s",  "front_thickness_m", "sleeping",
+    "lattice_seed",        "snapshot_times_s",   "front_window_m"};
 constexpr std::array<std::string_view, 3> keys = {"scenario_id", "scenario_hash", "source_id"};
 
 std::optional<long> line_of_run(Database& database, long run_id) {

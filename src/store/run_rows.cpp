@@ -38,6 +38,7 @@ constexpr std::array text_columns = {
     TextColumn{"crest_origin", &StoredRun::crest_origin},
     TextColumn{"section_read_as", &StoredRun::section_read_as},
     TextColumn{"section_doubts", &StoredRun::section_doubts},
+    TextColumn{"front_definition", &StoredRun::front_definition},
 };
 
 void bind_work(Statement& statement, int& place, const RunWork& work) {
@@ -69,9 +70,9 @@ void read_appraisal(const Statement& statement, int& place, Appraisal& appraisal
 }
 
 RunStatus status_of(const std::string& word) {
-    constexpr std::array all = {RunStatus::settled,       RunStatus::stable,   RunStatus::time_limit,
-                                RunStatus::left_section,  RunStatus::diverged, RunStatus::interrupted,
-                                RunStatus::not_converged, RunStatus::running};
+    constexpr std::array all = {RunStatus::settled,       RunStatus::stable,     RunStatus::time_limit,
+                                RunStatus::left_section,  RunStatus::diverged,   RunStatus::interrupted,
+                                RunStatus::not_converged, RunStatus::not_a_body, RunStatus::running};
     for (const RunStatus status : all)
         if (to_string(status) == word) return status;
     throw DamagedData("holds a run of the unknown status " + word);

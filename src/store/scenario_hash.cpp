@@ -71,16 +71,19 @@ std::string source_text(const Source& source) {
 void add_effects(CanonicalText& text, const Scene& scene) {
     for (const EffectSetting& setting : effect_settings(scene.effects, scene.profile))
         text.add(fmt::format("{}.{}", setting.effect, setting.key).c_str(), setting.value);
-    for (const auto& [name, x] : scene.gauges) {
-        text.add("gauge", name);
-        text.add("gauge_x", x);
+    for (const auto& [name, x, width, kind] : scene.places) {
+        text.add("place", name);
+        text.add("place_x", x);
+        text.add("place_width", width);
+        text.add("place_kind", kind);
     }
 }
 
 std::string question_text(const Scene& scene) {
     const auto& [density, friction_angle] = scene.material;
     const auto& [spacing, resolution, gravity, courant, smoothing, friction, iterations, tolerance,
-                 time_limit, front_thickness, sleeping, lattice_seed, snapshot_times, threads] = scene.run;
+                 time_limit, front_thickness, front_window, sleeping, lattice_seed, snapshot_times, threads] =
+        scene.run;
     CanonicalText text;
     text.add("density", density);
     text.add("friction_angle", friction_angle);
@@ -94,6 +97,9 @@ std::string question_text(const Scene& scene) {
     text.add("pressure_tolerance", tolerance);
     text.add("time_limit", time_limit);
     text.add("front_thickness", front_thickness);
+    // The word keeps runs of the former definition (docs/front.md) apart: theirs had none.
+    text.add("front_definition", "thickness");
+    text.add("front_window", front_window);
     text.add("sleeping", sleeping ? "on" : "off");
     if (lattice_seed != 0) text.add("lattice_seed", static_cast<double>(lattice_seed));
     for (const double time : snapshot_times) text.add("snapshot_time", time);

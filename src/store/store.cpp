@@ -88,6 +88,7 @@ long Store::add(const EndedRun& run) {
         insert_phases(database, run_id, run.result.phases);
         insert_effects(database, run_id, run.description);
         insert_invariants(database, run_id, run.result.invariants);
+        insert_envelope(database, run_id, run.result.envelope);
         insert_pilots(database, run_id, run.pilots);
         return run_id;
     });
@@ -146,6 +147,15 @@ std::vector<ChartRow> Store::chart_rows(std::optional<long> study_id) const {
         [=](SQLite::Database& database) { return select_chart_rows(database, study_id); });
 }
 
+std::vector<ReachRow> Store::reach(const ReachQuestion& question) const {
+    return impl_->with_database([&](SQLite::Database& database) { return select_reach(database, question); });
+}
+
+std::optional<Envelope> Store::envelope(long run_id) const {
+    return impl_->with_database(
+        [=](SQLite::Database& database) { return select_envelope(database, run_id); });
+}
+
 void Store::set_patience(std::chrono::milliseconds patience) {
     impl_->database->setBusyTimeout(static_cast<int>(patience.count()));
 }
@@ -179,7 +189,11 @@ MergeCounts Store::merge(const std::string& path) {
 }
 
 std::vector<StoredRun> Store::runs() const {
-    return impl_->with_database([](SQLite::Database& database) { return select_runs(database); });
+    return impl_->with_database([](SQLite::Database& database) {
+        std::vector<StoredRun> runs = select_runs(database);
+        select_places(database, runs);
+        return runs;
+    });
 }
 
 StoredRun Store::run(long run_id) const {

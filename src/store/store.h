@@ -13,6 +13,7 @@
 #include "scene/effect_settings.h"
 #include "scene/scene.h"
 #include "store/chart_rows.h"
+#include "store/envelope_rows.h"
 #include "store/merge.h"
 #include "store/refused_rows.h"
 #include "store/study_rows.h"
@@ -68,6 +69,9 @@ struct StoredRun {
     std::string crest_origin;     ///< the same
     std::string section_read_as;  ///< as Profile::read_as
     std::string section_doubts;   ///< as Profile::doubts, a line each
+    /// What run-out and reach angle rest on: "thickness" (docs/front.md), or "top" in runs before
+    /// database 10.
+    std::string front_definition = current_front_definition;
     double friction_angle_deg = 0;
     std::string scenario_hash;
     std::string started_utc;  ///< ISO 8601, "2024-05-31T09:30:00Z"
@@ -84,7 +88,7 @@ struct StoredRun {
     std::vector<EffectRow> effects;              ///< all that the program knows, on or off
     std::vector<EffectSetting> effect_settings;  ///< of those that were on
     std::vector<std::string> advice;
-    std::vector<GaugeRecord> gauges;
+    std::vector<PlaceRecord> places;
     std::vector<BarrierRecord> barriers;  ///< one, or none
     std::string machine;                  ///< processor and hardware threads
     Appraisal appraisal;
@@ -218,6 +222,11 @@ class Store {
     [[nodiscard]] std::vector<StudyRow> study_rows(long study_id) const;
     /// The scenarios of a study, or all, as a run-out chart needs them.
     [[nodiscard]] std::vector<ChartRow> chart_rows(std::optional<long> study_id) const;
+
+    /// What stored runs say of a place.
+    [[nodiscard]] std::vector<ReachRow> reach(const ReachQuestion& question) const;
+    /// None: the run is older than envelopes.
+    [[nodiscard]] std::optional<Envelope> envelope(long run_id) const;
 
     /// How long a write waits for another program before it throws DatabaseInUse; 30 s unless said otherwise.
     void set_patience(std::chrono::milliseconds patience);

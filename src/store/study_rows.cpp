@@ -28,6 +28,7 @@ constexpr std::array number_columns = {
     NumberColumn{"source.area_m2", &StudyRow::source_area_m2},
     NumberColumn{"source.front_area_m2", &StudyRow::front_area_m2},
     NumberColumn{"source.drop_height_m", &StudyRow::drop_height_m},
+    NumberColumn{"measure.farthest_front_m", &StudyRow::farthest_front_m},
     NumberColumn{"measure.run_out_m", &StudyRow::run_out_m},
     NumberColumn{"measure.run_out_normalised", &StudyRow::run_out_normalised},
     NumberColumn{"measure.reach_angle_deg", &StudyRow::reach_angle_deg},
@@ -46,6 +47,7 @@ constexpr std::array text_columns = {
     TextColumn{"source.source_type", &StudyRow::source_type},
     TextColumn{"run.status", &StudyRow::status},
     TextColumn{"run.status_detail", &StudyRow::status_detail},
+    TextColumn{"run.front_definition", &StudyRow::front_definition},
 };
 
 StudyRow read_row(const Statement& statement) {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "measures/measures.h"
+
 namespace SQLite {
 class Database;
 }
@@ -34,9 +36,11 @@ struct StudyRow {
     std::string section_origin;
     std::string source_type;
     std::string status, status_detail;
+    std::string front_definition = current_front_definition;
     bool is_result = false;
     double slope_angle_deg = 0, friction_angle_deg = 0;
     double source_area_m2 = 0, front_area_m2 = 0, drop_height_m = 0;
+    double farthest_front_m = 0;  ///< at any instant; NaN: not known
     double run_out_m = 0, run_out_normalised = 0, reach_angle_deg = 0, deposit_height_m = 0;
     double run_out_error_m = 0, reach_angle_error_deg = 0;
 };

@@ -105,13 +105,13 @@ long insert_scenario(Database& database, long source_id, const Scene& scene, con
         "INSERT INTO scenario (scenario_hash, source_id, density_kg_m3, friction_angle_deg,"
         " particle_spacing_m, resolution, gravity_m_s2, courant, smoothing_ratio, friction_scheme,"
         " friction_iterations, pressure_tolerance, time_limit_s, front_thickness_m, sleeping, lattice_seed,"
-        " snapshot_times_s) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        " snapshot_times_s, front_window_m) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     const RunSettings& run = scene.run;
     SQLite::bind(statement, hash, source_id, scene.material.density, degrees(scene.material.friction_angle),
                  run.particle_spacing, run.resolution, run.gravity, run.courant, run.smoothing_ratio,
                  friction_scheme_name(run.friction), run.friction_iterations, run.pressure_tolerance,
                  run.time_limit, run.front_thickness, run.sleeping ? 1 : 0, run.lattice_seed,
-                 fmt::format("[{}]", fmt::join(run.snapshot_times, ", ")));
+                 fmt::format("[{}]", fmt::join(run.snapshot_times, ", ")), run.front_window);
     const long scenario_id = insert(database, statement);
     write_effects(database, scenario_id, scene.effects);
     insert_effect_settings(database, scenario_id, scene);

@@ -83,8 +83,9 @@ ColumnFigures figures_of(const CaseRuns& runs, const std::string& id, double spa
     figures.gate_height = estimate(runs, id, [&](const std::string& run) {
         return height_at(surface(run).points, column_length, 2.0 * spacing);
     });
-    figures.front_by_top = estimate(
-        runs, id, [&](const std::string& run) { return runs.run(run).measures.run_out_m / column_length; });
+    figures.front_by_top = estimate(runs, id, [&](const std::string& run) {
+        return runs.run(run).measures.front_by_top_m / column_length;
+    });
     figures.front_by_mass = estimate(runs, id, [&](const std::string& run) {
         return runs.run(run).measures.front_by_mass_m / column_length;
     });

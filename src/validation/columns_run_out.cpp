@@ -139,7 +139,7 @@ void add_mangeney(CaseReport& report, const CaseRuns& runs) {
         return runs.run(run).measures.front_mass_995_m - mangeney_length;
     });
     const Estimate contiguous = estimate(runs, "mangeney", [&](const std::string& run) {
-        return runs.run(run).measures.run_out_m - mangeney_length;
+        return runs.run(run).measures.front_by_top_m - mangeney_length;
     });
     report.entries.push_back(
         held(front, fmt::format("front past the gate, m, phi {:.1f}, a = 0.7", mangeney_friction_angle()),
@@ -228,7 +228,7 @@ Spread spread_of(const CaseRuns& runs, double friction_angle, const std::vector<
             });
         };
         spread.front.push_back(over_length(&Measures::front_mass_995_m));
-        spread.contiguous.push_back(over_length(&Measures::run_out_m));
+        spread.contiguous.push_back(over_length(&Measures::front_by_top_m));
         spread.height.push_back(over_length(&Measures::deposit_height_m));
     }
     return spread;

@@ -64,8 +64,9 @@ double slow_from(const std::vector<Snapshot>& snapshots, double from, double to,
 
 double front_stops(const std::vector<SeriesRow>& series) {
     if (series.empty()) return never;
-    const double stop = share_of_way * series.back().front_m;
-    const auto there = std::ranges::find_if(series, [&](const SeriesRow& r) { return r.front_m >= stop; });
+    const double stop = share_of_way * series.back().front_mass_995_m;
+    const auto there =
+        std::ranges::find_if(series, [&](const SeriesRow& r) { return r.front_mass_995_m >= stop; });
     return there == series.end() ? never : there->time_s;
 }
 
@@ -107,8 +108,9 @@ double passes_toe(const std::vector<SeriesRow>& series) {
     for (std::size_t k = 1; k < series.size(); ++k) {
         const SeriesRow& a = series[k - 1];
         const SeriesRow& b = series[k];
-        if (a.front_m < 0.0 && b.front_m >= 0.0)
-            return a.time_s - (b.time_s - a.time_s) * a.front_m / (b.front_m - a.front_m);
+        if (a.front_mass_995_m < 0.0 && b.front_mass_995_m >= 0.0)
+            return a.time_s -
+                   (b.time_s - a.time_s) * a.front_mass_995_m / (b.front_mass_995_m - a.front_mass_995_m);
     }
     return never;
 }

@@ -22,7 +22,7 @@ struct Front {
 };
 
 constexpr Front fronts[] = {{"front, 99.5 % of the mass, m", &Measures::front_mass_995_m},
-                            {"front by top, m", &Measures::run_out_m},
+                            {"front by top, m", &Measures::front_by_top_m},
                             {"front by mass, m", &Measures::front_by_mass_m}};
 
 /// Mean over the coarse half of the ensemble, which has none of its own to tell an error bar.

@@ -88,9 +88,7 @@ std::vector<PlannedRun> plan(bool quick) {
 
 /// The other front, for a remark: on steep slopes the 99.5 % mass point lies among separate grains.
 std::string contiguous_ratio(const CaseRuns& runs, const std::string& id, const std::string& other) {
-    const auto front = [&](const std::string& name) {
-        return measured(runs, name, &Measures::run_out_normalised);
-    };
+    const auto front = [&](const std::string& name) { return contiguous_run_out(runs, name); };
     const Estimate both = ratio(front(id), front(other));
     return fmt::format("contiguous front by top: {:.3f} (scatter {:.3f})", both.mean, both.scatter);
 }
@@ -117,8 +115,7 @@ Series series_of(const CaseRuns& runs, double slope_deg, bool quick) {
     Series series{slope_deg, heights(slope_deg, quick), {}, {}};
     for (const double height : series.height) {
         series.run_out.push_back(run_out(runs, height_id(slope_deg, height)));
-        series.contiguous.push_back(
-            measured(runs, height_id(slope_deg, height), &Measures::run_out_normalised));
+        series.contiguous.push_back(contiguous_run_out(runs, height_id(slope_deg, height)));
     }
     return series;
 }

@@ -17,6 +17,13 @@ Estimate measured(const CaseRuns& runs, const std::string& id, double Measures::
     return estimate(runs, id, [&](const std::string& run) { return runs.run(run).measures.*value / unit; });
 }
 
+Estimate contiguous_run_out(const CaseRuns& runs, const std::string& id) {
+    return estimate(runs, id, [&](const std::string& run) {
+        const Measures m = runs.run(run).measures;
+        return m.front_by_top_m / std::sqrt(m.deposit_area_m2);
+    });
+}
+
 Estimate run_out(const CaseRuns& runs, const std::string& id) {
     return estimate(runs, id, [&](const std::string& run) {
         return front_of(runs, run) / std::sqrt(runs.run(run).measures.source_area_m2);

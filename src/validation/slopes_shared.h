@@ -16,6 +16,9 @@ Estimate measured(const CaseRuns& runs, const std::string& id, double Measures::
 /// otherwise: no threshold of thickness and no single grain decides it.
 Estimate run_out(const CaseRuns& runs, const std::string& id);
 
+/// The contiguous front by top instead, over sqrt(S_inf).
+Estimate contiguous_run_out(const CaseRuns& runs, const std::string& id);
+
 /// Of the run itself: the 99.5 % mass point.
 double front_of(const CaseRuns& runs, const std::string& run);
 

@@ -143,7 +143,7 @@ std::vector<Outcome> outcomes(const CaseRuns& runs, const Condition& condition, 
     for (const IdealisedSource& s : sources(condition, quick)) {
         const std::string id = id_of(condition, s);
         all.push_back({s, runs.run(lattices_of(id).front()).measures.front_area_ratio, run_out(runs, id),
-                       measured(runs, id, &Measures::run_out_normalised).mean});
+                       contiguous_run_out(runs, id).mean});
     }
     return all;
 }

@@ -22,19 +22,20 @@ namespace {
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::uint8_t>;
 
-/// A gauge, a barrier, a place on the map: what the example leaves out.
+/// A place, a barrier, a place on the map: what the example leaves out.
 Scene full_scene() {
     Scene scene = example_scene();
     scene.profile.map_line =
         MapLine{"EPSG:2326", {{834000, 816000}, {834060, 816000}}, {0, 60}, {{"slope_no", "11SW"}}};
     scene.effects.cohesion = Cohesion{.strength = 500};
-    scene.gauges = {{"road", 12}};
+    scene.places = {{"road", 12}};
     return scene;
 }
 
 RunResult full_result() {
     RunResult result = example_result();
-    result.gauges = {{"road", 12, 1.5, 0.3, 2.5, 0.32, 4.5, {{1.5, 0.3, 2.5, 0.32, 1.5}}}};
+    result.places = {
+        {"road", "traffic", 12, 3.5, 1.5, 0.3, 2.5, 0.32, 2.4, 0.2, 4.5, {{1.5, 0.3, 2.5, 0.32, 1.5}}}};
     result.barriers = {{1.5, 2000, 1.7, 900, 300, 100, 0.5, 0, 3.5, 0.4, 2100, {{1.5, 2000, -10, 900, 300}}}};
     result.effects = {{"cohesion", true, "strength that does not come from pressure", 0.1}};
     result.advice = {"the inertial number is high"};

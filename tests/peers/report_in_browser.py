@@ -198,7 +198,8 @@ def main():
         driver = browser(os.path.join(folder, "profile"))
         try:
             open_page(driver, pages["run"])
-            check_charts(driver, "run", ["front", "speed", "energy", "deposit", "travel-angle"])
+            check_charts(driver, "run", ["front", "speed", "energy", "deposit", "envelope-thickness", "envelope-speed",
+                                        "envelope-flux", "travel-angle"])
             check_animation(driver)
             check_numbers(driver, database, 1)
             check_names(driver)

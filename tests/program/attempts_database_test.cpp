@@ -117,14 +117,14 @@ TEST_F(DatabaseAttemptsTest, A35ConditionsThatRefuseOurRows) {
         expect_refused({"merge", "v.db", "x.db"}, {"x.db: has a table"});
     }
     for (const char* condition : {"CHECK (run_out_m < 0)", "check(run_out_m IN (SELECT 1))", "UNIQUE"}) {
-        redefine("x.db", "run_out_m               REAL,", fmt::format("run_out_m REAL {},", condition));
+        redefine("x.db", "run_out_m                REAL,", fmt::format("run_out_m REAL {},", condition));
         expect_refused({"run", "case.toml", "--db", "x.db", "--quiet"}, {"x.db: "});
     }
 }
 
 TEST_F(DatabaseAttemptsTest, A36ColumnsThatAnswerWhatTheyLike) {
     for (const char* generated : {"AS (12.5) VIRTUAL", "GENERATED ALWAYS AS (7.0)"}) {
-        redefine("x.db", "run_out_m               REAL,", fmt::format("run_out_m REAL {},", generated));
+        redefine("x.db", "run_out_m                REAL,", fmt::format("run_out_m REAL {},", generated));
         expect_refused({"table", "x.db"}, {"x.db: has a table measure without the column run_out_m"});
     }
     copy_with(

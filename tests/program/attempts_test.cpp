@@ -287,7 +287,7 @@ TEST_F(AttemptsTest, A22ValuesOfAnotherKind) {
     for (const char* value :
          {"2024-05-31", "true", "\"38\"", "[38]", "{ a = 38 }", "nan", "inf", "1e400", "07:32:00"})
         expect_case_refused(changed("= 38", fmt::format("= {}", value)), {"bad.toml, line 10"});
-    expect_case_refused(std::string("gauge = []\n") + sound_case, {"line 1: gauge"});
+    expect_case_refused(std::string("place = []\n") + sound_case, {"line 1: place"});
     expect_case_refused(std::string(sound_case) + "name = 2024-05-31\n", {"line 13: run.name", "not a text"});
 }
 
@@ -326,23 +326,23 @@ TEST_F(AttemptsTest, A25NamesThatAreNoText) {
     EXPECT_TRUE(Json::accept(runout({"table", "v.db", "--format", "json"}).out));
 }
 
-TEST_F(AttemptsTest, A26GaugesOfOneName) {
+TEST_F(AttemptsTest, A26PlacesOfOneName) {
     const std::string two =
-        "[[gauge]]\nname = \"road\"\nchainage_m = 0.5\n[[gauge]]\nname = \"{}\"\nchainage_m = 0.6\n";
-    const auto gauges = [&](const char* name) { return sound_case + fmt::format(fmt::runtime(two), name); };
-    expect_case_refused(gauges("road"), {"gauge.name", "[[gauge]] 1 and 2 alike: road"});
+        "[[place]]\nname = \"road\"\nchainage_m = 0.5\n[[place]]\nname = \"{}\"\nchainage_m = 0.6\n";
+    const auto places = [&](const char* name) { return sound_case + fmt::format(fmt::runtime(two), name); };
+    expect_case_refused(places("road"), {"place.name", "[[place]] 1 and 2 alike: road"});
     expect_case_refused(std::string(sound_case) +
-                            "[[gauge]]\nname = \"gauge-2\"\nchainage_m = 0.5\n"
-                            "[[gauge]]\nchainage_m = 0.6\n",
-                        {"alike: gauge-2"});
-    write("case.toml", gauges("house"));
+                            "[[place]]\nname = \"place-2\"\nchainage_m = 0.5\n"
+                            "[[place]]\nchainage_m = 0.6\n",
+                        {"alike: place-2"});
+    write("case.toml", places("house"));
     EXPECT_GT(run_out(""), 0);
 }
 
 TEST_F(AttemptsTest, A27ThingsAtTheEndOfTheWorld) {
     for (const char* chainage : {"0", "2.5", "2.6", "-1", "1e300"}) {
-        expect_case_refused(sound_case + fmt::format("[[gauge]]\nchainage_m = {}\n", chainage),
-                            {"gauge.chainage_m"});
+        expect_case_refused(sound_case + fmt::format("[[place]]\nchainage_m = {}\n", chainage),
+                            {"place.chainage_m"});
         expect_case_refused(
             sound_case + fmt::format("[effects.barrier]\nheight_m = 0.1\nchainage_m = {}\n", chainage),
             {"effects.barrier.chainage_m"});

@@ -52,10 +52,9 @@ TEST_F(ProgramTest, HelpKeysTellsEveryKeyWithRangeAndDefault) {
 
 TEST_F(ProgramTest, RefusesCommandLinesItDoesNotUnderstand) {
     expect_refused({}, {"subcommand"});
-    expect_refused(
-        {"rnu", "case.toml"},
-        {"rnu is not a subcommand",
-         "run, new, profile, source, effects, sweep, merge, delete, table, estimate, accuracy, map"});
+    expect_refused({"rnu", "case.toml"}, {"rnu is not a subcommand",
+                                          "run, new, profile, source, effects, barrier, sweep, merge, "
+                                          "delete, table, at, estimate, accuracy, map"});
     expect_refused({"run"}, {"FILE"});
     expect_refused({"run", "case.toml", "--angle", "3"}, {"--angle"});
     expect_refused({"run", "case.toml", "--friction-angle"}, {"--friction-angle"});
@@ -319,12 +318,12 @@ TEST_F(ProgramTest, EffectsAreListedOnOrOffWithTheirCost) {
 }
 
 TEST_F(ProgramTest, ARunSaysWhichEffectsItHad) {
-    write("gauged.toml", std::string(sound_case) + "[[gauge]]\nname = \"house\"\nchainage_m = 0.5\n");
-    const Outcome outcome = runout({"run", "gauged.toml"});
+    write("placed.toml", std::string(sound_case) + "[[place]]\nname = \"house\"\nchainage_m = 0.5\n");
+    const Outcome outcome = runout({"run", "placed.toml"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("Gauge house at chainage 0.5 m: arrival after"), std::string::npos)
+    EXPECT_NE(outcome.out.find("Place house at chainage 0.5 m: reached after"), std::string::npos)
         << outcome.out;
-    EXPECT_NE(outcome.out.find("Effects on: gauges"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("Effects on: places"), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("Off: base_friction, cohesion"), std::string::npos) << outcome.out;
 }
 

@@ -70,9 +70,9 @@ TEST_F(ExportTest, TablesReadBackToTheBit) {
     const ExportFiles files = csv_files(stored(result));
     ASSERT_EQ(files.size(), 3u);
     EXPECT_EQ(files[0].first, "series.csv");
-    EXPECT_TRUE(files[0].second.starts_with("time_s,front_m,kinetic_energy_j_m,"));
-    EXPECT_TRUE(contains(files[0].second,
-                         fmt::format("\n{},{},", result.series[1].time_s, result.series[1].front_m)));
+    EXPECT_TRUE(files[0].second.starts_with("time_s,front_mass_995_m,kinetic_energy_j_m,"));
+    EXPECT_TRUE(contains(files[0].second, fmt::format("\n{},{},", result.series[1].time_s,
+                                                      result.series[1].front_mass_995_m)));
     EXPECT_TRUE(contains(files[1].second, "834510.25,43.1,0.3,0.4\n"));
     EXPECT_EQ(files[2].first, "stages.csv");
 }

@@ -1,5 +1,7 @@
 // Results on the map: where a run-out ends on its line, which layers hold what, what a GIS reads back.
 
+#include <SQLiteCpp/Database.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +12,7 @@
 #include "example_run.h"
 #include "map_fixture.h"
 #include "measures/deposit.h"
+#include "report/map/map_runs.h"
 #include "report/map/result_map.h"
 #include "report/text/reach_probability.h"
 #include "store/store.h"
@@ -141,14 +144,26 @@ TEST_F(ResultMapTest, TheDistalPointIsOnTheLineAtTheStoredRunOut) {
             add(scene, result_with(RunStatus::settled, run_out));
             const RunPlace place = Store(database(), Store::Mode::read).place(++id).value();
             const double chainage = chainage_at_run_out(place, run_out);
-            const double beyond = (mirrored ? -1 : 1) * (chainage - place.toe_chainage_m);
-            const BedLine bed(scene.source.bed);
-            // At a step down the length jumps by its height; the point stands at the step then.
-            const double before = distance_along_bed(bed, beyond - 1e-9);
-            const double after = distance_along_bed(bed, beyond + 1e-9);
-            EXPECT_GE(run_out, before - 1e-6);
-            EXPECT_LE(run_out, after + 1e-6);
+            EXPECT_NEAR((mirrored ? -1 : 1) * (chainage - place.toe_chainage_m), run_out, 1e-9);
         }
+}
+
+// A run of before database 10 has its run-out along the bed.
+TEST_F(ResultMapTest, AFormerRunOutIsPlacedAlongTheBedAndSaid) {
+    for (const double run_out : {0.5, 9.0, 14.9, 15.03, 16.0, 17.3, 31.7}) {
+        const Scene scene = scene_on(line_at(834000, "A"));
+        add(scene, result_with(RunStatus::settled, run_out));
+        SQLite::Database(database(), SQLite::OPEN_READWRITE).exec("UPDATE run SET front_definition = 'top'");
+        const MapRuns runs = map_runs(Store(database(), Store::Mode::read), true);
+        const double beyond = run_out_from_toe(runs.runs.back());
+        const BedLine bed(scene.source.bed);
+        // At a step down the length jumps by its height; the point stands at the step then.
+        EXPECT_GE(run_out, distance_along_bed(bed, beyond - 1e-9) - 1e-6);
+        EXPECT_LE(run_out, distance_along_bed(bed, beyond + 1e-9) + 1e-6);
+    }
+    EXPECT_TRUE(std::ranges::any_of(map().remarks, [](const std::string& remark) {
+        return remark.find("former definition of the front") != std::string::npos;
+    }));
 }
 
 TEST_F(ResultMapTest, DebrisThatDoesNotPassTheToeEndsWhereItsDepositDoes) {
@@ -161,6 +176,44 @@ TEST_F(ResultMapTest, DebrisThatDoesNotPassTheToeEndsWhereItsDepositDoes) {
     const MapFeature& point = layer(made, "runout_extent").features.at(0);
     EXPECT_EQ(std::get<double>(value(point, "chainage_m")), 24);
     EXPECT_EQ(point.points.at(0), Vec2(834000, 816076));
+}
+
+// ---- what arrives
+
+TEST_F(ResultMapTest, PlacesAndIntensitiesLieOnTheLine) {
+    RunResult result = result_with(RunStatus::settled, 9);
+    result.measures.front_thickness_m = 0.2;
+    result.envelope.greatest_thickness_m = {0.1, 0.5, 1.5};
+    result.envelope.greatest_speed_m_s = {3.0, 3.0, 2.0};
+    PlaceRecord road;
+    road.name = "road";
+    road.chainage_m = 33;
+    road.width_m = 4;
+    road.arrival_time_s = 1.5;
+    road.greatest_thickness_m = 0.5;
+    PlaceRecord path = road;
+    path.name = "path";
+    path.width_m = 0;
+    path.arrival_time_s = std::nan("");
+    result.places = {road, path};
+    add(scene_on(line_at(834000, "A")), result);
+    const ResultMap made = map();
+    const RunPlace place = Store(database(), Store::Mode::read).place(1).value();
+    const auto& places = layer(made, "place").features;
+    ASSERT_EQ(places.size(), 2u);
+    EXPECT_EQ(places[0].points.front(), point_at(place.line, 33));
+    EXPECT_EQ(places[0].points.back(), point_at(place.line, 37));
+    EXPECT_EQ(std::get<long>(value(places[0], "reached")), 1);
+    EXPECT_EQ(std::get<double>(value(places[0], "greatest_thickness_m")), 0.5);
+    EXPECT_EQ(std::get<long>(value(places[1], "reached")), 0);
+    EXPECT_EQ(places[1].points.size(), 3u) << "a bar across the line";
+    const auto& stretches = layer(made, "intensity").features;
+    ASSERT_EQ(stretches.size(), 2u);
+    EXPECT_EQ(std::get<std::string>(value(stretches[0], "intensity")), "medium");
+    EXPECT_EQ(std::get<std::string>(value(stretches[1], "intensity")), "high");
+    const double from = std::get<double>(value(stretches[1], "from_m"));
+    EXPECT_NEAR(from, -3.5 + 1.5 * 0.7, 1e-12) << "halfway between two nodes";
+    EXPECT_LT((stretches[1].points.front() - point_at(place.line, place.toe_chainage_m + from)).norm(), 1e-6);
 }
 
 // ---- layers

@@ -28,6 +28,7 @@ StoredRun slope_run() {
     run.measures = {.run_out_m = 12.3456,
                     .run_out_normalised = 1.4571,
                     .front_thickness_m = 0.5,
+                    .front_window_m = 2.5,
                     .reach_angle_deg = 33.14,
                     .source_area_m2 = 71.8,
                     .deposit_area_m2 = 71.8,
@@ -150,15 +151,16 @@ TEST(RunJson, TextThatIsNotUtf8IsStillJson) {
 /// A run that is looked at by itself has more: what its effects did.
 Json without_effects(const std::string& text) {
     Json json = Json::parse(text);
-    for (const char* key : {"effects", "advice", "gauges", "barrier"}) EXPECT_EQ(json.erase(key), 1U) << key;
+    for (const char* key : {"effects", "advice", "places", "barrier"}) EXPECT_EQ(json.erase(key), 1U) << key;
     return json;
 }
 
 TEST(RunTable, JsonIsAnArrayOfTheSameObjects) {
     const StoredRun settled = settled_run();  // a second one would have another time of its end
     const StoredRun failed = failed_run();
-    const Json json = Json::parse(run_table({settled, failed}, TableFormat::json));
+    Json json = Json::parse(run_table({settled, failed}, TableFormat::json));
     ASSERT_EQ(json.size(), 2U);
+    for (Json& run : json) EXPECT_EQ(run.erase("places"), 1U);
     EXPECT_EQ(json[0], without_effects(run_json(settled)));
     EXPECT_EQ(json[1], without_effects(run_json(failed)));
     EXPECT_EQ(Json::parse(run_table({}, TableFormat::json)), Json::array());
@@ -318,8 +320,75 @@ TEST(RunSummary, SaysWhenTheFrontIsCoarse) {
     few.measures.front_thickness_m = 1;
     EXPECT_TRUE(has(run_summary(few), "Coarse: only 11 particles along sqrt(S)"));
     StoredRun thin = slope_run();
-    thin.measures.front_thickness_m = 0.1;
-    EXPECT_TRUE(has(run_summary(thin), "Coarse: the front is read where the deposit is 0.1 m thick"));
+    thin.measures.front_thickness_m = 0.015;
+    EXPECT_TRUE(has(run_summary(thin), "Coarse: one particle alone is as thick as the front, 0.015 m"));
+}
+
+TEST(RunSummary, SaysWhatTheFrontIsAndWhatIsBeyondIt) {
+    StoredRun run = slope_run();
+    EXPECT_TRUE(
+        has(run_summary(run), "all soil is 0.5 m thick in a window of +-2.5 m; distances are horizontal"));
+    run.measures.farthest_front_m = 13.2;
+    run.measures.farthest_soil_m = 16.1;
+    run.measures.beyond_front_speed_m_s = 6.5;
+    run.measures.beyond_front_area_m2 = 0.25;
+    EXPECT_TRUE(has(run_summary(run), "On the way it was 13.2 m past the toe."));
+    EXPECT_TRUE(
+        has(run_summary(run), "single grains come 16.1 m past the toe, at up to 6.5 m/s; 0.25 m2 lie"));
+}
+
+// A run of before database 10 is never mixed with others unsaid.
+TEST(RunTable, MarksTheFormerDefinitionOfTheFront) {
+    StoredRun old = slope_run();
+    old.front_definition = "top";
+    const std::string table = run_table({slope_run(), old}, TableFormat::text);
+    EXPECT_TRUE(has(table, "12.35*"));
+    EXPECT_TRUE(has(table, "\n* This front has the former definition"));
+    EXPECT_FALSE(has(run_table({slope_run()}, TableFormat::text), "former"));
+    EXPECT_TRUE(has(run_summary(old), "former definition"));
+    EXPECT_EQ(Json::parse(run_json(old)).at("front_definition"), "top");
+}
+
+// ---- places
+
+StoredRun run_with_places() {
+    StoredRun run = slope_run();
+    PlaceRecord house;
+    house.name = "house";
+    house.kind = "building";
+    house.chainage_m = 60;
+    house.arrival_time_s = 2.5;
+    house.greatest_thickness_m = 0.75;
+    house.greatest_speed_m_s = 3.25;
+    PlaceRecord road;
+    road.name = "road";
+    road.chainage_m = 70;
+    road.arrival_time_s = std::nan("");
+    run.places = {house, road};
+    return run;
+}
+
+TEST(RunTable, HasAColumnForEachPlace) {
+    const std::string text = run_table({slope_run(), run_with_places()}, TableFormat::text);
+    EXPECT_TRUE(has(text, "at house"));
+    EXPECT_TRUE(has(text, "0.75 m, 3.25 m/s"));
+    EXPECT_TRUE(has(text, "not reached"));
+    const auto lines = lines_of(run_table({slope_run(), run_with_places()}, TableFormat::csv));
+    EXPECT_TRUE(
+        lines[0].ends_with("place road reached,place road arrival_time_s,place road greatest_thickness_m,"
+                           "place road greatest_speed_m_s"));
+    EXPECT_TRUE(lines[1].ends_with(",,,,,,,,"));
+    EXPECT_TRUE(lines[2].ends_with(",1,2.5,0.75,3.25,0,,0,0"));
+    const Json json = Json::parse(run_table({run_with_places()}, TableFormat::json));
+    EXPECT_EQ(json[0].at("places").at(0).at("reached"), true);
+    EXPECT_EQ(json[0].at("places").at(1).at("reached"), false);
+}
+
+TEST(RunSummary, SaysWhatArrivesAtAPlace) {
+    const std::string text = run_summary(run_with_places());
+    EXPECT_TRUE(
+        has(text, "Place house (building) at chainage 60 m: reached after 2.5 s, up to 0.75 m thick"));
+    EXPECT_TRUE(has(text, "Place road at chainage 70 m: not reached."));
 }
 
 TEST(RunSummary, AStableSourceStands) {
@@ -343,7 +412,7 @@ TEST(RunSummary, DebrisMayStopOnTheFace) {
 
 TEST(RunSummary, AFailedRunHasNoResult) {
     for (const RunStatus status : {RunStatus::time_limit, RunStatus::left_section, RunStatus::not_converged,
-                                   RunStatus::diverged, RunStatus::interrupted}) {
+                                   RunStatus::diverged, RunStatus::interrupted, RunStatus::not_a_body}) {
         StoredRun run = slope_run();
         run.status = status;
         run.status_detail = "at t = 0.2 s";

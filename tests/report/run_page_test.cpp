@@ -220,7 +220,7 @@ TEST(Html, ColumnsBecomeWordsAndUnits) {
 
 // ---- what later versions store beside the run
 
-TEST_F(RunPageTest, ShowsErrorBarsAdviceAndGaugesThatAreStored) {
+TEST_F(RunPageTest, ShowsErrorBarsAdviceAndPlacesThatAreStored) {
     RunData run = stored();
     EXPECT_EQ(numerical_error_words(run), "not estimated");
     std::erase_if(run.facts,
@@ -230,19 +230,19 @@ TEST_F(RunPageTest, ShowsErrorBarsAdviceAndGaugesThatAreStored) {
     run.facts.push_back({"run", "error_note", "", std::string("from four lattices")});
     run.further = {
         {"advice", "", {"sentence"}, {{std::string("rate may matter")}}},
-        {"gauge", "", {"gauge_index", "name", "chainage_m"}, {{0L, std::string("house <1>"), 12.5}}},
-        {"gauge_series",
+        {"place", "", {"place_index", "name", "chainage_m"}, {{0L, std::string("house <1>"), 12.5}}},
+        {"place_series",
          "",
-         {"gauge_index", "time_s", "thickness_m", "speed_m_s"},
+         {"place_index", "time_s", "thickness_m", "speed_m_s"},
          {{0L, 1.0, 0.25, 3.0}, {0L, 2.0, 0.5, 1.0}}},
         {"pilot", "Coarse runs.", {"resolution"}, {{8.0}}}};
     EXPECT_EQ(numerical_error_words(run), "run-out ± 0.42 m; from four lattices");
     EXPECT_TRUE(contains(answer_section(run).body, "± 0.42"));
     EXPECT_TRUE(contains(warnings_section(run).body, "rate may matter"));
-    const PageSection gauges = gauges_section(run);
-    EXPECT_TRUE(contains(gauges.body, "house &lt;1&gt;"));
-    ASSERT_EQ(gauges.charts.size(), 2u);
-    EXPECT_EQ(gauges.charts[0].figure.curves.at(0).points, (Polyline{{1, 0.25}, {2, 0.5}}));
+    const PageSection places = places_section(run);
+    EXPECT_TRUE(contains(places.body, "house &lt;1&gt;"));
+    ASSERT_EQ(places.charts.size(), 2u);
+    EXPECT_EQ(places.charts[0].figure.curves.at(0).points, (Polyline{{1, 0.25}, {2, 0.5}}));
     const std::string further = further_section(run).body;
     EXPECT_TRUE(contains(further, "Coarse runs."));
     EXPECT_FALSE(contains(further, "house"));

@@ -46,7 +46,7 @@ Scene scene_with_everything() {
                                      .chainage_m = {834492.25, 834552.25},
                                      .attributes = {{"slope", 0.1}, {"rank", 3L}, {"note", "zwölf"}}};
     scene.effects.cohesion.emplace();
-    scene.gauges = {{"road", 3.3}};
+    scene.places = {{"road", 3.3, 4.0, "traffic"}};
     return scene;
 }
 
@@ -55,7 +55,7 @@ RunResult result_with_everything() {
     for (const EffectState& state : effect_states(scene_with_everything().effects, 1))
         result.effects.push_back({state.name, state.on, state.meaning, state.on ? 0.37 : nan});
     result.advice = {"an advice", "and one more"};
-    result.gauges = {{"road", 834515.55, nan, 0.1, -0.0, 0.3, 0.7, {}}};
+    result.places = {{"road", "traffic", 834515.55, 4.0, nan, 0.1, -0.0, 0.3, 0.2, 0.05, 0.7, {}}};
     result.barriers = {{0.1, 0.2, 0.3, 0.7, 1.1, -0.0, nan, 0.9, 1.3, 0.6, 0.11, {}}};
     return result;
 }

@@ -1,4 +1,4 @@
-// Effects that change what lies in the way, or when the soil comes: barrier, gauges, later masses, erodible
+// Effects that change what lies in the way, or when the soil comes: barrier, places, later masses, erodible
 // bed.
 
 #include <gtest/gtest.h>
@@ -59,20 +59,20 @@ TEST(BarrierLoad, ItsImpulseIsTheMomentumThatTheSoilLoses) {
     EXPECT_NEAR(momentum() + impulse + others, before, 0.03 * impulse);
 }
 
-TEST(Gauges, WhatPassesIsWhatLiesBeyondAndWhatFlowed) {
+TEST(Places, WhatPassesIsWhatLiesBeyondAndWhatFlowed) {
     Scene scene = scenes::aluminium_column(21.9, 0.005);
-    scene.gauges = {{"first", 0.25}, {"second", 0.3}, {"far", 1.0}};
+    scene.places = {{"first", 0.25}, {"second", 0.3}, {"far", 1.0}};
     scene.run.snapshot_times = {0.3};
     const RunResult result = run_scene(scene);
-    ASSERT_EQ(result.gauges.size(), 3U);
-    const GaugeRecord& first = result.gauges[0];
+    ASSERT_EQ(result.places.size(), 3U);
+    const PlaceRecord& first = result.places[0];
     ASSERT_EQ(result.snapshots.size(), 1U);
     const Snapshot& state = result.snapshots[0];
     const double beyond = static_cast<double>(std::count_if(state.x_m.begin(), state.x_m.end(),
                                                             [](float x) { return x > 0.25F; })) *
                           0.005 * 0.005;
     const auto after = std::find_if(first.rows.begin(), first.rows.end(),
-                                    [&](const GaugeRow& row) { return row.time_s >= state.time_s; });
+                                    [&](const PlaceRow& row) { return row.time_s >= state.time_s; });
     ASSERT_NE(after, first.rows.end());
     EXPECT_NEAR(after->passed_area_m2, beyond, 0.03 * beyond);
     double flowed = 0.0;
@@ -82,10 +82,10 @@ TEST(Gauges, WhatPassesIsWhatLiesBeyondAndWhatFlowed) {
                    first.rows[i - 1].thickness_m * first.rows[i - 1].speed_m_s) *
                   (first.rows[i].time_s - first.rows[i - 1].time_s);
     EXPECT_NEAR(flowed, first.passed_area_m2, 0.1 * first.passed_area_m2);
-    EXPECT_LT(first.arrival_time_s, result.gauges[1].arrival_time_s);
+    EXPECT_LT(first.arrival_time_s, result.places[1].arrival_time_s);
     EXPECT_NEAR(first.greatest_kinetic_head_m, std::pow(first.greatest_speed_m_s, 2) / (2.0 * g), 1e-9);
-    EXPECT_TRUE(std::isnan(result.gauges[2].arrival_time_s));
-    EXPECT_EQ(result.gauges[2].passed_area_m2, 0.0);
+    EXPECT_TRUE(std::isnan(result.places[2].arrival_time_s));
+    EXPECT_EQ(result.places[2].passed_area_m2, 0.0);
 }
 
 TEST(LaterMasses, LandOnTheDepositOfTheFirst) {

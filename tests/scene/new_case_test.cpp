@@ -98,7 +98,7 @@ TEST_F(NewCases, ExplainEachKeyAndSayWhatWasFound) {
          {"file = \"section.csv\"", "# toe_chainage_m = 41.547", "# crest_chainage_m = 30\n", "type = \"B\"",
           "base_angle_deg = 35", "scarp_angle_deg = 80", "friction_angle_deg = 38", "# An example!",
           "# density_kg_m3 = 2000", "# accuracy = \"5%\"", "this is a guess to begin with",
-          "20 m high, 60.0 deg", "[effects.cohesion]", "[[gauge]]",
+          "20 m high, 60.0 deg", "[effects.cohesion]", "[[place]]",
           "# Dip of the basal slip surface. (0 <= number < 90 deg; without it: 35)"})
         EXPECT_TRUE(contains(text, part));
     for (const std::string& line : lines_of(text)) EXPECT_LE(line.size(), 110u) << line;

@@ -20,7 +20,7 @@ TEST(Parameters, HaveUniqueKeysInKnownSectionsAndSayWhatTheyAre) {
         EXPECT_FALSE(parameter.fallback.empty()) << parameter.key;
         EXPECT_TRUE(parameter.help.ends_with('.') || parameter.help.ends_with("file.")) << parameter.key;
         const std::string section(parameter.key.substr(0, parameter.key.find('.')));
-        const std::set<std::string> known = {"section", "source", "material", "effects", "gauge", "run"};
+        const std::set<std::string> known = {"section", "source", "material", "effects", "place", "run"};
         EXPECT_TRUE(known.contains(section)) << section;
     }
 }
@@ -46,10 +46,10 @@ std::string everything(const CaseSpec& c) {
     text += fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|", to_string(s.type), s.base_angle,
                         s.scarp_angle, s.area, s.height, s.length, s.thickness, s.aspect, s.drop_height,
                         to_string(s.datum), s.discontinuity_angle, s.points.size());
-    text +=
-        fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", density, friction_angle, r.particle_spacing,
-                    r.resolution, r.gravity, r.courant, r.smoothing_ratio, static_cast<int>(r.friction),
-                    r.friction_iterations, r.pressure_tolerance, r.time_limit, r.front_thickness, r.threads);
+    text += fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", density, friction_angle,
+                        r.particle_spacing, r.resolution, r.gravity, r.courant, r.smoothing_ratio,
+                        static_cast<int>(r.friction), r.friction_iterations, r.pressure_tolerance,
+                        r.time_limit, r.front_thickness, r.front_window, r.threads);
     text +=
         fmt::format("|{}|{}|{}|{}", r.sleeping, r.lattice_seed, fmt::join(r.snapshot_times, " "), c.accuracy);
     const Effects& e = c.effects;
@@ -59,7 +59,8 @@ std::string everything(const CaseSpec& c) {
     if (e.release) text += fmt::format("|{} {}", e.release->layer_width, e.release->layer_height);
     if (e.erodible_bed) text += fmt::format("|layer from {}", e.erodible_bed->from);
     text += fmt::format("|{}|{} {}", c.shaking_record, c.pseudo_static.x(), c.pseudo_static.y());
-    for (const Gauge& gauge : c.gauges) text += fmt::format("|gauge {} {}", gauge.name, gauge.x);
+    for (const Place& place : c.places)
+        text += text += fmt::format("|place {} {} {} {}", place.name, place.x, place.width, place.kind);
     return text;
 }
 

@@ -122,16 +122,16 @@ TEST_F(SceneTest, EffectsAreThereOnlyWhereTheCaseNamesThem) {
     const Scene scene = make_scene(sound_case(
         "[effects.cohesion]\ncohesion_kpa = 0.5\n[effects.base_friction]\nranges = [[0.5, 1, 10]]\n"
         "[effects.barrier]\nchainage_m = 1\nheight_m = 0.1\n"
-        "[[gauge]]\nchainage_m = 0.5\n[[gauge]]\nname = \"house\"\nchainage_m = 0.75\n"));
+        "[[place]]\nchainage_m = 0.5\n[[place]]\nname = \"house\"\nchainage_m = 0.75\n"));
     EXPECT_EQ(scene.effects.cohesion->strength, 500);
     EXPECT_NEAR(scene.effects.base_friction->ranges.at(0).from, 0.05, 1e-12);  // the toe is at 0.45
     EXPECT_NEAR(scene.effects.barrier->x, 0.55, 1e-12);
     EXPECT_NEAR(scene.effects.barrier->thickness, 0.05, 1e-12);
     EXPECT_FALSE(scene.effects.rate || scene.effects.pore_pressure || scene.effects.release);
-    ASSERT_EQ(scene.gauges.size(), 2U);
-    EXPECT_EQ(scene.gauges[0].name, "gauge-1");
-    EXPECT_EQ(scene.gauges[1].name, "house");
-    EXPECT_NEAR(scene.gauges[1].x, 0.3, 1e-12);
+    ASSERT_EQ(scene.places.size(), 2U);
+    EXPECT_EQ(scene.places[0].name, "place-1");
+    EXPECT_EQ(scene.places[1].name, "house");
+    EXPECT_NEAR(scene.places[1].x, 0.3, 1e-12);
     EXPECT_EQ(scene.run.friction_iterations, 60);
     EXPECT_EQ(scene.run.pressure_tolerance, 1e-3);
     ASSERT_GE(scene.assumed.size(), 2U);
@@ -187,9 +187,9 @@ TEST_F(SceneTest, EffectsThatContradictThemselvesAreRefused) {
     expect("[effects.erodible_bed]\ndepth_m = 0.1\n", {"needs effects.erodible_bed.from_chainage_m"});
     expect("[[effects.release.mass]]\ntime_s = 2\n", {"needs effects.release.mass.points"});
     expect("[[effects.rate]]\ngrain_diameter_m = 2\n", {"stands several times"});
-    expect("[[gauge]]\nname = \"a\"\n", {"gauge.name", "needs gauge.chainage_m"});
-    expect("[[gauge]]\nchainage_m = 1\n[[gauge]]\nname = \"b\"\n", {"is missing for [[gauge]] 2"});
-    expect("[[gauge]]\nchainage_m = 99\n", {"is not on the section"});
+    expect("[[place]]\nname = \"a\"\n", {"place.name", "needs place.chainage_m"});
+    expect("[[place]]\nchainage_m = 1\n[[place]]\nname = \"b\"\n", {"is missing for [[place]] 2"});
+    expect("[[place]]\nchainage_m = 99\n", {"is not on the section"});
     expect("[effects.glue]\nx = 1\n", {"effects.glue"});
 }
 

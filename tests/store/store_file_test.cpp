@@ -215,7 +215,7 @@ TEST_F(ForeignFile, NewerVersion) {
     add(example_scene(), example_result());
     raw().exec("PRAGMA user_version = 99");
     expect_refused(
-        "is of database version 99, written by a newer Runout; this Runout knows versions up to 9");
+        "is of database version 99, written by a newer Runout; this Runout knows versions up to 10");
 }
 
 TEST_F(ForeignFile, ImpossibleVersion) {

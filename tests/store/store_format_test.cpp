@@ -70,7 +70,7 @@ TEST_F(StoreTest, MarksTheFileAsItsOwn) {
     add(example_scene(), example_result());
     SQLite::Database database = raw();
     EXPECT_EQ(database.execAndGet("PRAGMA application_id").getInt(), 0x52554E4F);  // RUNO
-    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 9);
+    EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), 10);
     EXPECT_EQ(database.execAndGet("PRAGMA journal_mode").getString(), "delete");
     EXPECT_EQ(database.execAndGet("PRAGMA integrity_check").getString(), "ok");
     EXPECT_EQ(count("pragma_foreign_key_check"), 0);

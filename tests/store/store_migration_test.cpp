@@ -50,7 +50,19 @@ std::set<std::string> format_of(SQLite::Database& database) {
     return format;
 }
 
-/// The format as it is now without what versions 4 to 9 added.
+/// Version 10 told the front of thickness.
+void take_back_the_front(SQLite::Database& database) {
+    for (const char* column :
+         {"run_out_along_bed_m", "farthest_front_m", "front_window_m", "front_by_top_m",
+          "peak_mass_995_speed_m_s", "farthest_soil_m", "beyond_front_area_m2", "beyond_front_speed_m_s"})
+        database.exec(std::string("ALTER TABLE measure DROP COLUMN ") + column);
+    database.exec(
+        "ALTER TABLE scenario DROP COLUMN front_window_m; ALTER TABLE series DROP COLUMN front_m;"
+        "ALTER TABLE series RENAME COLUMN front_mass_995_m TO front_m;"
+        "DELETE FROM run_status WHERE status = 'not_a_body'");
+}
+
+/// The format as it is now without what versions 4 to 10 added.
 void take_back_to_version_three(SQLite::Database& database) {
     database.exec(
         "DROP TABLE refused_section; DROP TABLE study_scenario; DROP TABLE study; DROP VIEW result; DROP "
@@ -58,16 +70,18 @@ void take_back_to_version_three(SQLite::Database& database) {
         "pilot; DROP TABLE ladder_run;"
         " DROP TABLE ladder_verdict; DROP TABLE ladder;"
         "DROP TABLE invariant; DROP TABLE effect_setting; DROP TABLE run_effect; DROP TABLE advice; DROP "
-        "TABLE gauge_series; DROP "
+        "TABLE place_series; DROP "
         "TABLE "
-        "gauge; DROP TABLE barrier_series; DROP TABLE barrier; ALTER TABLE run DROP COLUMN spared_share;"
+        "place; DROP TABLE envelope; DROP TABLE barrier_series; DROP TABLE barrier; ALTER TABLE run DROP "
+        "COLUMN spared_share;"
         "ALTER TABLE measure DROP COLUMN eroded_area_m2; ALTER TABLE scenario DROP COLUMN sleeping; PRAGMA "
         "user_version = 3");
     for (const char* column :
          {"peak_memory_mb", "machine", "accuracy_asked", "run_out_error_m", "reach_angle_error_deg",
           "error_origin", "error_note", "expected_cpu_s", "choosing_cpu_s", "toe_origin", "crest_origin",
-          "section_read_as", "section_doubts"})
+          "section_read_as", "section_doubts", "front_definition"})
         database.exec(std::string("ALTER TABLE run DROP COLUMN ") + column);
+    take_back_the_front(database);
     database.exec("CREATE VIEW result AS SELECT run.name FROM run");
 }
 
@@ -99,7 +113,12 @@ TEST_F(StoreTest, AFileOfVersionOneIsBroughtUpToDateAndKeepsItsRun) {
     Store store(path, Store::Mode::write);
     SQLite::Database file = raw();
     EXPECT_EQ(format_of(file), wanted);
-    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 9);
+    EXPECT_EQ(file.execAndGet("PRAGMA user_version").getInt(), 10);
+    EXPECT_EQ(store.run(id).front_definition, "top") << "its run-out is never taken for one of thickness";
+    EXPECT_FALSE(store.envelope(id)) << "it has none, and says so";
+    EXPECT_TRUE(std::isnan(store.run(id).measures.farthest_front_m));
+    EXPECT_TRUE(std::isnan(store.series(id)[0].front_m));
+    EXPECT_EQ(store.series(id)[0].front_mass_995_m, result.series[0].front_mass_995_m);
     EXPECT_EQ(store.run(id).appraisal.error_origin, "none");
     EXPECT_TRUE(std::isnan(store.run(id).appraisal.run_out_error_m));
     EXPECT_TRUE(store.ladders().empty());

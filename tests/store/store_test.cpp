@@ -173,9 +173,9 @@ TEST_F(StoreTest, NumbersThatDoNotExistAreNullAndComeBackAsNaN) {
 }
 
 TEST_F(StoreTest, StoresEveryWayARunCanEnd) {
-    constexpr std::array ends = {RunStatus::settled,      RunStatus::stable,   RunStatus::time_limit,
-                                 RunStatus::left_section, RunStatus::diverged, RunStatus::interrupted,
-                                 RunStatus::not_converged};
+    constexpr std::array ends = {RunStatus::settled,       RunStatus::stable,    RunStatus::time_limit,
+                                 RunStatus::left_section,  RunStatus::diverged,  RunStatus::interrupted,
+                                 RunStatus::not_converged, RunStatus::not_a_body};
     Store store(path, Store::Mode::write);
     for (const RunStatus end : ends) {
         RunResult result = example_result();

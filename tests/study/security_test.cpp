@@ -36,7 +36,7 @@ class Security : public SceneTest {
 TEST_F(Security, AZeroByteEndsNoPath) {
     write("x.csv", "chainage_m,elevation_m\n0,0.4\n0.3,0.4\n0.45,0\n2,0\n");
     for (const char* key : {"section.file", "section.raster", "section.line", "section.layer",
-                            "section.where", "effects.shaking.record", "run.name", "gauge.name"}) {
+                            "section.where", "effects.shaking.record", "run.name", "place.name"}) {
         const std::string name(key);
         const std::size_t dot = name.rfind('.');
         expect_complaint(complaint(fmt::format("[{}]\n{} = \"x.csv\\u0000.png\"\n", name.substr(0, dot),
@@ -106,8 +106,8 @@ TEST_F(Security, ListsHaveALength) {
     expect_complaint(complaint("[effects.base_friction]\nranges = " + list(10'000, "[1, 2, 3]")),
                      {"10001 entries"});
     expect_complaint(complaint("[run]\nsnapshot_times_s = " + list(10'000, "1")), {"10001 entries"});
-    expect_complaint(complaint(repeated("[[gauge]]\nchainage_m = 1\n", 1001)),
-                     {"line 1: gauge", "stands 1001 times", "at most 1000"});
+    expect_complaint(complaint(repeated("[[place]]\nchainage_m = 1\n", 1001)),
+                     {"line 1: place", "stands 1001 times", "at most 1000"});
 }
 
 // ---- what is said twice

@@ -27,6 +27,19 @@ Vec2 point_along(const Polyline& line, double length) {
     return line.empty() ? Vec2(0, 0) : line.back();
 }
 
+/// Where the run's front came to rest; before database 10 the run-out was a length along the ground.
+Vec2 margin_of(const RunData& run) {
+    const Polyline apron = apron_of(run.geometry);
+    const double run_out = run.run.measures.run_out_m;
+    if (run.run.front_definition != current_front_definition) return point_along(apron, run_out);
+    for (std::size_t i = 1; i < apron.size(); ++i) {
+        const Vec2 step = apron[i] - apron[i - 1];
+        if (step.x() > 0 && apron[i].x() >= run_out)
+            return apron[i - 1] + step * ((run_out - apron[i - 1].x()) / step.x());
+    }
+    return apron.empty() ? Vec2(0, 0) : apron.back();
+}
+
 }  // namespace
 
 double run_out_at(const SectionGeometry& geometry, double ratio) {
@@ -36,12 +49,10 @@ double run_out_at(const SectionGeometry& geometry, double ratio) {
         return head.y() - ratio * (point.x() - head.x()) - point.y();
     };
     if (apron.empty() || above(apron.front()) <= 0) return 0;
-    double length = 0;
     for (std::size_t i = 1; i < apron.size(); ++i) {
-        const double step = (apron[i] - apron[i - 1]).norm();
         const double before = above(apron[i - 1]), after = above(apron[i]);
-        if (after <= 0) return length + step * before / (before - after);
-        length += step;
+        if (after <= 0)
+            return apron[i - 1].x() + (apron[i].x() - apron[i - 1].x()) * before / (before - after);
     }
     return std::numeric_limits<double>::quiet_NaN();
 }
@@ -57,9 +68,9 @@ std::string comparison_refusal(const RunData& run) {
 Comparison compare_run(const RunData& run, double width) {
     Comparison comparison;
     const Measures& measures = run.run.measures;
-    const Vec2 margin = point_along(apron_of(run.geometry), measures.run_out_m);
+    const Vec2 margin = margin_of(run);
     comparison.width = width;
-    comparison.run_out_m = measures.run_out_m;
+    comparison.run_out_m = margin.x();
     comparison.angle_deg = measures.reach_angle_deg;
     comparison.slide.drop = run.geometry.head.y() - margin.y();
     comparison.travel_length = margin.x() - run.geometry.head.x();

@@ -30,7 +30,7 @@ std::string comparison_refusal(const RunData& run);
 /// not known. The volume is never guessed.
 Comparison compare_run(const RunData& run, double width);
 
-/// Distance past the toe, along the ground, at which the line from the head at H/L = ratio meets the ground:
+/// Horizontal distance past the toe at which the line from the head at H/L = ratio meets the ground:
 /// 0 when it does so on the cut, NaN when the section ends before.
 double run_out_at(const SectionGeometry& geometry, double ratio);
 

@@ -26,7 +26,7 @@ Placed placed(const MapRun& run, const MapMetric& metric) {
 /// A failed run stands in for its section: no band may pass over it.
 bool goes_before(const MapRun& a, const MapRun& b) {
     if (is_result(a.run.status) != is_result(b.run.status)) return is_result(a.run.status);
-    return a.run.measures.run_out_m > b.run.measures.run_out_m;
+    return run_out_from_toe(a) > run_out_from_toe(b);
 }
 
 /// One run for each section, side by side along the slope.
@@ -67,8 +67,8 @@ std::vector<Attribute> attributes_of(const MapRun& a, const MapRun& b) {
             {"run_id_b", b.run.run_id},
             {"friction_angle_deg", a.run.friction_angle_deg},
             {"source_type", a.run.source_type},
-            {"run_out_a_m", a.run.measures.run_out_m},
-            {"run_out_b_m", b.run.measures.run_out_m},
+            {"run_out_a_m", run_out_from_toe(a)},
+            {"run_out_b_m", run_out_from_toe(b)},
             {"scenario", a.question.physical}};
 }
 

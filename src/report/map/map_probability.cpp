@@ -32,7 +32,7 @@ std::vector<Sweep> sweeps(const MapRuns& runs) {
         Sweep& sweep = of_section[key];
         if (sweep.first == nullptr) sweep.first = &run;
         if (is_result(run.run.status))
-            sweep.samples.push_back({run.run.measures.run_out_m, 1});
+            sweep.samples.push_back({run_out_from_toe(run), 1});
         else
             ++sweep.failed;
     }

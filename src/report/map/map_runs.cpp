@@ -51,30 +51,8 @@ std::vector<MapRun> one_for_each_question(std::vector<MapRun> runs) {
     return kept;
 }
 
-}  // namespace
-
-MapRuns map_runs(const Store& store, bool every_run) {
-    MapRuns found;
-    for (const StoredRun& run : store.runs()) {
-        std::optional<RunPlace> place = store.place(run.run_id);
-        if (!place) {
-            ++found.without_place;
-            continue;
-        }
-        if (found.crs.empty()) found.crs = place->line.crs;
-        place->line = in_system(place->line, found.crs);
-        const Question question = store.question(run.run_id);
-        found.runs.push_back(
-            {run, std::move(*place), question, store.deposit(run.run_id), attributes_of(run, question)});
-    }
-    if (found.runs.empty())
-        throw InputError({"", 0, "map", ""}, "finds no run that lies on a map",
-                         "take sections from lines (section.line), or place them with section.origin");
-    if (!every_run) found.runs = one_for_each_question(std::move(found.runs));
-    return found;
-}
-
-double chainage_at_run_out(const RunPlace& place, double run_out_m) {
+/// Where a run-out of the former definition ends, which went along the bed.
+double chainage_along_bed(const RunPlace& place, double run_out_m) {
     const double sign = place.descends_with_chainage ? 1.0 : -1.0;
     double left = std::max(0.0, run_out_m);
     Vec2 from(0, 0);  // along and above, from the toe
@@ -95,9 +73,45 @@ double chainage_at_run_out(const RunPlace& place, double run_out_m) {
     return place.toe_chainage_m + sign * from.x();
 }
 
+}  // namespace
+
+MapRuns map_runs(const Store& store, bool every_run) {
+    MapRuns found;
+    for (const StoredRun& run : store.runs()) {
+        std::optional<RunPlace> place = store.place(run.run_id);
+        if (!place) {
+            ++found.without_place;
+            continue;
+        }
+        if (found.crs.empty()) found.crs = place->line.crs;
+        place->line = in_system(place->line, found.crs);
+        const Question question = store.question(run.run_id);
+        found.runs.push_back({run, std::move(*place), question, store.deposit(run.run_id),
+                              store.envelope(run.run_id), attributes_of(run, question)});
+    }
+    if (found.runs.empty())
+        throw InputError({"", 0, "map", ""}, "finds no run that lies on a map",
+                         "take sections from lines (section.line), or place them with section.origin");
+    if (!every_run) found.runs = one_for_each_question(std::move(found.runs));
+    return found;
+}
+
+double chainage_at_run_out(const RunPlace& place, double run_out_m) {
+    const double sign = place.descends_with_chainage ? 1.0 : -1.0;
+    const double end = place.bed.empty() ? 0.0 : sign * (place.bed.back().x() - place.toe_chainage_m);
+    return place.toe_chainage_m + sign * std::clamp(run_out_m, 0.0, std::max(0.0, end));
+}
+
+double run_out_from_toe(const MapRun& run) {
+    const double run_out = run.run.measures.run_out_m;
+    if (run.run.front_definition == current_front_definition) return run_out;
+    const double chainage = chainage_along_bed(run.place, run_out);
+    return std::abs(chainage - run.place.toe_chainage_m);
+}
+
 double distal_chainage(const MapRun& run) {
     const Measures& measures = run.run.measures;
-    if (measures.run_out_m > 0) return chainage_at_run_out(run.place, measures.run_out_m);
+    if (measures.run_out_m > 0) return chainage_at_run_out(run.place, run_out_from_toe(run));
     const bool with_chainage = run.place.descends_with_chainage;
     double distal = run.place.head.x();
     for (const DepositRow& row : run.deposit)

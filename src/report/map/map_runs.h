@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct MapRun {
     RunPlace place;  ///< its line in the coordinate system of the map
     Question question;
     std::vector<DepositRow> deposit;
+    std::optional<Envelope> envelope;  ///< none: the run is older than envelopes
     std::vector<Attribute>
         attributes;  ///< section, scenario, status and measures; a failed run has no measures
 };
@@ -29,9 +31,12 @@ struct MapRuns {
 /// is taken, the latest of equals; all of them if `every_run`. Throws InputError when there is none.
 MapRuns map_runs(const Store& store, bool every_run);
 
-/// Chainage at a length along the bed beyond the toe; a vertical step counts with its height, as in
-/// run_out_m. The end of the section beyond it.
+/// Chainage at a horizontal distance beyond the toe; the end of the section beyond it.
 double chainage_at_run_out(const RunPlace& place, double run_out_m);
+
+/// Horizontal distance from the toe to the front at rest, also of a run of the former definition of the
+/// front.
+double run_out_from_toe(const MapRun& run);
 
 /// Chainage of the distal margin of a settled run: at its run-out, or where the deposit ends that is
 /// thicker than the threshold of the front when it does not pass the toe.

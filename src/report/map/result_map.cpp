@@ -7,6 +7,7 @@
 
 #include "core/input_error.h"
 #include "report/map/map_styles.h"
+#include "report/text/intensity.h"
 
 namespace runout {
 namespace {
@@ -129,6 +130,32 @@ MapLayer thickness_layer(const MapRuns& runs) {
     return layer;
 }
 
+MapLayer intensity_layer(const MapRuns& runs) {
+    const std::vector<ColourClass> colours = {{0.5, 1.5, "medium", {253, 141, 60}},
+                                              {1.5, 2.5, "high", {189, 0, 38}}};
+    MapLayer layer{"intensity",
+                   usual_intensities_origin(),
+                   GeometryKind::line,
+                   {},
+                   graduated_line_style("rank", colours, 2.2)};
+    for (const MapRun& run : runs.runs) {
+        if (!has_moved(run) || !run.envelope) continue;
+        const double sign = run.place.descends_with_chainage ? 1.0 : -1.0;
+        for (const IntensityStretch& stretch :
+             intensity_stretches(*run.envelope, run.run.measures.front_thickness_m, usual_intensities())) {
+            const auto [from, to] = std::minmax({run.place.toe_chainage_m + sign * stretch.from_m,
+                                                 run.place.toe_chainage_m + sign * stretch.to_m});
+            MapFeature feature{part_between(run.place.line, from, to), short_attributes(run)};
+            feature.attributes.push_back({"intensity", stretch.name});
+            feature.attributes.push_back({"rank", stretch.name == "high" ? 2L : 1L});
+            feature.attributes.push_back({"from_m", stretch.from_m});
+            feature.attributes.push_back({"to_m", stretch.to_m});
+            layer.features.push_back(std::move(feature));
+        }
+    }
+    return layer;
+}
+
 MapLayer extent_layer(const MapRuns& runs) {
     MapLayer layer{"runout_extent",
                    "Distal margin of the debris",
@@ -163,6 +190,39 @@ MapLayer extent_line_layer(const MapRuns& runs, const MapMetric& metric) {
     return layer;
 }
 
+MapLayer place_layer(const MapRuns& runs, const MapMetric& metric) {
+    MapLayer layer{
+        "place", "Places that may be reached", GeometryKind::line, {}, line_style({0, 0, 160}, 0.9)};
+    for (const MapRun& run : runs.runs)
+        for (const PlaceRecord& place : run.run.places) {
+            const double sign = run.place.descends_with_chainage ? 1.0 : -1.0;
+            const double far = place.chainage_m + sign * place.width_m;
+            MapFeature feature{place.width_m > 0
+                                   ? part_between(run.place.line, std::min(place.chainage_m, far),
+                                                  std::max(place.chainage_m, far))
+                                   : bar_across(run.place.line, metric, place.chainage_m,
+                                                std::sqrt(run.run.measures.source_area_m2)),
+                               short_attributes(run)};
+            feature.attributes.push_back({"place", place.name});
+            feature.attributes.push_back({"kind", place.kind});
+            feature.attributes.push_back({"chainage_m", place.chainage_m});
+            const bool known = is_result(run.run.status);
+            const auto add = [&](const char* name, double value) {
+                feature.attributes.push_back(
+                    {name, known && std::isfinite(value) ? FieldValue(value) : FieldValue()});
+            };
+            feature.attributes.push_back(
+                {"reached",
+                 known ? FieldValue(std::isfinite(place.arrival_time_s) ? 1L : 0L) : FieldValue()});
+            add("arrival_time_s", place.arrival_time_s);
+            add("greatest_thickness_m", place.greatest_thickness_m);
+            add("greatest_speed_m_s", place.greatest_speed_m_s);
+            add("final_thickness_m", place.final_thickness_m);
+            layer.features.push_back(std::move(feature));
+        }
+    return layer;
+}
+
 MapLayer failed_layer(const MapRuns& runs) {
     MapLayer layer{"failed_run",
                    "Sections whose run gave no result",
@@ -190,10 +250,24 @@ MapLayer refused_layer(const std::vector<RefusedSection>& sections, const std::s
     return layer;
 }
 
+namespace {
+
+void tell_former_fronts(const MapRuns& runs, std::vector<std::string>& remarks) {
+    const auto count = std::ranges::count_if(
+        runs.runs, [](const MapRun& run) { return run.run.front_definition != current_front_definition; });
+    if (count > 0)
+        remarks.push_back(fmt::format(
+            "{} of {} runs have the former definition of the front (contiguous by top, before database 10)",
+            count, runs.runs.size()));
+}
+
+}  // namespace
+
 ResultMap result_map(const Store& store, const MapOptions& options) {
     const MapRuns runs = map_runs(store, options.every_run);
     const MapMetric metric(runs.crs, runs.runs.front().place.line.points.front());
     ResultMap map{{runs.crs, {}}, {}};
+    tell_former_fronts(runs, map.remarks);
     if (runs.without_place > 0)
         map.remarks.push_back(
             fmt::format("{} runs are not on the map: their sections came from tables that were not placed",
@@ -205,9 +279,11 @@ ResultMap result_map(const Store& store, const MapOptions& options) {
                         section_layer(runs),
                         deposit_layer(runs),
                         thickness_layer(runs),
+                        intensity_layer(runs),
                         source_layer(sources),
                         extent_line_layer(runs, metric),
                         extent_layer(runs)};
+    map.sheet.layers.push_back(place_layer(runs, metric));
     for (MapLayer& layer : probability_layers(runs, metric, map.remarks))
         map.sheet.layers.push_back(std::move(layer));
     map.sheet.layers.push_back(failed_layer(runs));

@@ -19,9 +19,9 @@ struct ResultMap {
     std::vector<std::string> remarks;
 };
 
-/// Layers `hazard_band`, `section`, `deposit`, `thickness`, `source`, `runout_extent_line`, `runout_extent`,
-/// `reach_probability`, `reach_probability_line`, `failed_run` and `refused`, as docs/maps.md describes them.
-/// Throws InputError when no run lies on a map.
+/// Layers `hazard_band`, `section`, `deposit`, `thickness`, `intensity`, `source`, `runout_extent_line`,
+/// `runout_extent`, `place`, `reach_probability`, `reach_probability_line`, `failed_run` and `refused`, as
+/// docs/maps.md describes them. Throws InputError when no run lies on a map.
 ResultMap result_map(const Store& store, const MapOptions& options);
 
 // ---- its parts
@@ -30,9 +30,14 @@ MapLayer section_layer(const MapRuns& runs);
 MapLayer source_layer(const MapRuns& runs);
 MapLayer deposit_layer(const MapRuns& runs);
 MapLayer thickness_layer(const MapRuns& runs);
+/// Classes of thickness and speed along the lines, by the usual table (report/text/intensity.h).
+MapLayer intensity_layer(const MapRuns& runs);
 MapLayer extent_layer(const MapRuns& runs);
 MapLayer extent_line_layer(const MapRuns& runs, const MapMetric& metric);
 MapLayer failed_layer(const MapRuns& runs);
+/// What arrives at the places that cases name: bars across the line, or stretches of it where they have a
+/// width.
+MapLayer place_layer(const MapRuns& runs, const MapMetric& metric);
 /// Lines that were refused as input; one that cannot be drawn in the system of the map has attributes only.
 MapLayer refused_layer(const std::vector<RefusedSection>& sections, const std::string& crs);
 

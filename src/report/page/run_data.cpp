@@ -16,6 +16,7 @@ RunData read_run_data(const Store& store, long run_id) {
     data.geometry = store.geometry(run_id);
     data.series = store.series(run_id);
     data.deposit = store.deposit(run_id);
+    data.envelope = store.envelope(run_id);
     data.stages = store.stages(run_id);
     data.phases = store.phases(run_id);
     data.frames = store.frames(run_id);

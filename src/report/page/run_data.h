@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "store/store.h"
@@ -12,6 +13,7 @@ struct RunData {
     SectionGeometry geometry;
     std::vector<SeriesRow> series;
     std::vector<DepositRow> deposit;
+    std::optional<Envelope> envelope;
     std::vector<StageRow> stages;
     std::vector<PhaseTime> phases;
     std::vector<Frame> frames;

@@ -14,7 +14,7 @@ using MakeSection = PageSection (*)(const RunData&);
 // In the order of the page, with the comparison between them.
 constexpr MakeSection before_comparison[] = {
     answer_section,  warnings_section, picture_section, animation_section, motion_section,
-    deposit_section, gauges_section,   stages_section,  accuracy_section,
+    deposit_section, envelope_section, places_section,  stages_section,    accuracy_section,
 };
 constexpr MakeSection after_comparison[] = {effects_section, inputs_section, further_section,
                                             provenance_section};

@@ -35,18 +35,19 @@ PageChart chart(const char* id, const char* title, const char* y_label, std::vec
 std::vector<Vec2> over_time(const std::vector<SeriesRow>& series, double SeriesRow::*value,
                             double scale = 1.0) {
     std::vector<Vec2> points;
-    for (const SeriesRow& row : series) points.emplace_back(row.time_s, scale * row.*value);
+    for (const SeriesRow& row : series)
+        if (std::isfinite(row.*value)) points.emplace_back(row.time_s, scale * row.*value);
     return points;
 }
 
-/// Mean speed of the front between samples.
-std::vector<Vec2> front_speed(const std::vector<SeriesRow>& series) {
+/// Mean speed of the mass point between samples.
+std::vector<Vec2> mass_point_speed(const std::vector<SeriesRow>& series) {
     std::vector<Vec2> points;
     for (std::size_t i = 1; i < series.size(); ++i) {
         const double step = series[i].time_s - series[i - 1].time_s;
         if (!(step > 0)) continue;
         points.emplace_back(0.5 * (series[i].time_s + series[i - 1].time_s),
-                            (series[i].front_m - series[i - 1].front_m) / step);
+                            (series[i].front_mass_995_m - series[i - 1].front_mass_995_m) / step);
     }
     return points;
 }
@@ -90,13 +91,16 @@ PageSection motion_section(const RunData& run) {
     PageSection section{"motion", "Front, speed and energy", {}, {}, {}};
     section.charts = {
         chart("front", "Front over time", "front past the toe, m",
-              {{"99.5 % mass point", Curve::Style::line, over_time(run.series, &SeriesRow::front_m)}},
-              "The distance from the toe, along the run-out surface, that 99.5 % of the mass does not pass. "
-              "Below "
-              "zero it is still on the cut."),
-        chart("speed", "Speed of the front over time", "speed, m/s",
-              {{"mean between samples", Curve::Style::line, front_speed(run.series)}},
-              "Change of the front between stored samples over the time between them."),
+              {{"front", Curve::Style::line, over_time(run.series, &SeriesRow::front_m)},
+               {"99.5 % mass point", Curve::Style::dashed,
+                over_time(run.series, &SeriesRow::front_mass_995_m)}},
+              "Horizontal distances from the toe: the front is the farthest place where the soil is as thick "
+              "as "
+              "its threshold; 99.5 % of the mass do not pass the mass point. Below zero it is still on the "
+              "cut."),
+        chart("speed", "Speed of the mass point over time", "speed, m/s",
+              {{"99.5 % mass point", Curve::Style::line, mass_point_speed(run.series)}},
+              "Change of the 99.5 % mass point between stored samples over the time between them."),
         chart("energy", "Energy over time", "kJ per metre of width",
               {{"kinetic", Curve::Style::line, over_time(run.series, &SeriesRow::kinetic_energy_j_m, 1e-3)},
                {"potential above the toe", Curve::Style::line,

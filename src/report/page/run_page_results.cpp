@@ -64,7 +64,8 @@ std::string last_state(const RunData& run) {
            html_table(
                "Last state", {"", "value", "unit"},
                {{text_cell("time"), number_cell(last.time_s), text_cell("s")},
-                {text_cell("front past the toe"), number_cell(last.front_m), text_cell("m")},
+                {text_cell("99.5 % mass point past the toe"), number_cell(last.front_mass_995_m),
+                 text_cell("m")},
                 {text_cell("kinetic energy"), number_cell(last.kinetic_energy_j_m), text_cell("J/m")},
                 {text_cell("potential energy"), number_cell(last.potential_energy_j_m), text_cell("J/m")}});
 }

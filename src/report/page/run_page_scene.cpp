@@ -22,7 +22,7 @@ std::string with_spaces(std::string name) {
 constexpr std::array inputs = {"section", "source", "scenario"};
 
 bool is_shown_elsewhere(const std::string& table) {
-    return table == "run_effect" || table == "advice" || table == "gauge" || table.ends_with("_series");
+    return table == "run_effect" || table == "advice" || table == "place" || table.ends_with("_series");
 }
 
 }  // namespace

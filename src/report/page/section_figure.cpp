@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+
+#include "core/units.h"
+#include "engine/particles/bed_line.h"
 
 namespace runout {
 namespace {
@@ -73,6 +77,10 @@ SectionWindow section_view(const RunData& run) {
     Polyline shown = run.geometry.outline;
     shown.insert(shown.end(), surface.begin(), surface.end());
     shown.emplace_back(0, 0);
+    for (const PlaceRecord& place : run.run.places) {
+        const double near = run.geometry.profile.to_local({place.chainage_m, 0}).x();
+        shown.emplace_back(near + place.width_m, BedLine(run.geometry.profile.ground).elevation(near));
+    }
     SectionWindow view{shown.front(), shown.front()};
     for (const Vec2& point : shown) {
         view.low = view.low.cwiseMin(point);
@@ -102,6 +110,45 @@ Polyline discontinuity_line(const SectionGeometry& geometry) {
     return {geometry.exit_point, geometry.exit_point + length * direction};
 }
 
+namespace {
+
+/// A number that the case gave for the barrier; NaN: none.
+double barrier_number(const StoredRun& run, const char* key) {
+    for (const EffectSetting& setting : run.effect_settings)
+        if (setting.effect == "barrier" && setting.key == key) return std::atof(setting.value.c_str());
+    return std::nan("");
+}
+
+/// Its outline; no points where there is none.
+Curve barrier_curve(const RunData& run) {
+    const double height = barrier_number(run.run, "height_m");
+    if (!(height > 0)) return {"barrier", Curve::Style::line, {}};
+    const BedLine ground(run.geometry.profile.ground);
+    const double foot = run.geometry.profile.to_local({barrier_number(run.run, "chainage_m"), 0}).x();
+    const double inclination = radians(barrier_number(run.run, "inclination_deg"));
+    const double edge = foot + (std::isnan(inclination) ? 0.0 : height / std::tan(inclination));
+    const double back = edge + std::max(0.0, barrier_number(run.run, "thickness_m"));
+    const double top = ground.elevation(foot) + height;
+    return {"barrier",
+            Curve::Style::line,
+            {{foot, ground.elevation(foot)}, {edge, top}, {back, top}, {back, ground.elevation(back)}}};
+}
+
+/// Posts at both edges of a place, joined at their top.
+Curve place_curve(const RunData& run, const PlaceRecord& place, const SectionWindow& view) {
+    const double near = run.geometry.profile.to_local({place.chainage_m, 0}).x();
+    const BedLine ground(run.geometry.profile.ground);
+    const double top = ground.elevation(near) + 0.1 * (view.high.y() - view.low.y());
+    Polyline posts = {{near, ground.elevation(near)}, {near, top}};
+    if (place.width_m > 0) {
+        const double far = near + place.width_m;
+        posts.insert(posts.end(), {{far, top}, {far, ground.elevation(far)}});
+    }
+    return {place.name, Curve::Style::line, posts};
+}
+
+}  // namespace
+
 Figure section_figure(const RunData& run) {
     const SectionWindow view = section_view(run);
     const auto& geometry = run.geometry;
@@ -116,6 +163,8 @@ Figure section_figure(const RunData& run) {
         {"discontinuity line (front above it)", Curve::Style::dashed, discontinuity_line(geometry)});
     const Polyline surface = deposit_surface(run);
     figure.curves.push_back({"surface of the deposit", Curve::Style::line, surface});
+    figure.curves.push_back(barrier_curve(run));
+    for (const PlaceRecord& place : run.run.places) figure.curves.push_back(place_curve(run, place, view));
     std::erase_if(figure.curves, [](const Curve& curve) { return curve.points.empty(); });
     if (greatest_x(surface) < -1e299) figure.title = "Section to scale; no deposit is stored";
     return figure;

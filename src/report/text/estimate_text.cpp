@@ -51,9 +51,10 @@ struct Group {
 };
 
 /// Runs that the chart is not made of.
-std::array<Group, 5> groups_left_out(const ChartPoints& points) {
+std::array<Group, 6> groups_left_out(const ChartPoints& points) {
     return {{{"standing", "of sources that stand", points.standing},
              {"without_result", "without a result", points.without_result},
+             {"former_front", "with the former definition of the front", points.former_fronts},
              {"other_effects", "with other effects", points.other_effects},
              {"other_discontinuity_angle", "with another discontinuity angle", points.other_planes},
              {"coarser", "coarser than another of the same question", points.coarser}}};

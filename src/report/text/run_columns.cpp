@@ -83,6 +83,7 @@ std::vector<RunColumn> run_columns(const StoredRun& run) {
         {"slope_angle_deg", number(run.slope_angle_deg)},
         {"friction_angle_deg", number(run.friction_angle_deg)},
     };
+    columns.push_back({"front_definition", run.front_definition});
     append_measures(columns, run);
     append_appraisal(columns, run);
     append_work(columns, run.work);

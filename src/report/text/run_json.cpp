@@ -44,14 +44,17 @@ void append_numbers(Json& object, const Record& record, std::span<const RealColu
     for (const RealColumn<Record>& column : columns) object[column.name] = number(record.*column.value);
 }
 
-Json gauges_json(const StoredRun& run) {
-    Json gauges = Json::array();
-    for (const GaugeRecord& gauge : run.gauges) {
-        Json object = {{"name", gauge.name}};
-        append_numbers(object, gauge, gauge_columns());
-        gauges.push_back(std::move(object));
+Json places_json(const StoredRun& run) {
+    Json places = Json::array();
+    for (const PlaceRecord& place : run.places) {
+        Json object = {
+            {"name", place.name},
+            {"kind", place.kind},
+            {"reached", is_result(run.status) ? Json(!std::isnan(place.arrival_time_s)) : Json(nullptr)}};
+        append_numbers(object, place, place_columns());
+        places.push_back(std::move(object));
     }
-    return gauges;
+    return places;
 }
 
 Json barrier_json(const BarrierRecord& barrier) {
@@ -68,7 +71,7 @@ Json with_effects(const StoredRun& run) {
         effects[effect.name] = {{"on", effect.on}, {"why", effect.why}, {"cost_s", number(effect.cost_s)}};
     object["effects"] = effects;
     object["advice"] = run.advice;
-    object["gauges"] = gauges_json(run);
+    object["places"] = places_json(run);
     object["barrier"] = run.barriers.empty() ? Json(nullptr) : barrier_json(run.barriers.front());
     return object;
 }
@@ -86,7 +89,11 @@ std::string run_json(const StoredRun& run) {
 
 std::string runs_json(const std::vector<StoredRun>& runs) {
     Json array = Json::array();
-    for (const StoredRun& run : runs) array.push_back(to_json(run));
+    for (const StoredRun& run : runs) {
+        Json object = to_json(run);
+        object["places"] = places_json(run);
+        array.push_back(std::move(object));
+    }
     return text_of(array);
 }
 

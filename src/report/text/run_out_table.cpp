@@ -14,6 +14,7 @@
 #include "report/text/reach_probability.h"
 #include "report/text/sensitivity.h"
 #include "report/text/study_layout.h"
+#include "report/text/table.h"
 
 namespace runout {
 namespace {
@@ -109,6 +110,20 @@ std::vector<VariedInput> varied_numbers(const std::vector<StudyEntry>& entries) 
     return inputs;
 }
 
+/// Farthest front at any instant, as a place is reached; of a run that does not know it, the front at rest.
+double reached_by(const StudyRow& row) {
+    if (std::isfinite(row.farthest_front_m)) return row.farthest_front_m;
+    return std::isfinite(row.run_out_m) ? row.run_out_m : 0.0;
+}
+
+std::string former_fronts(const std::vector<StudyEntry>& entries) {
+    const auto count = std::ranges::count_if(entries, [](const StudyEntry& entry) {
+        return entry.row->is_result && entry.row->front_definition != current_front_definition;
+    });
+    if (count == 0) return {};
+    return fmt::format("{} of {} scenarios: {}\n", count, entries.size(), former_front_sentence());
+}
+
 struct Reached {
     double distance_m;
     Probability probability;
@@ -117,7 +132,8 @@ struct Reached {
 std::vector<Reached> reached_distances(const std::vector<StudyEntry>& entries,
                                        const std::vector<double>& distances) {
     std::vector<ReachSample> samples;
-    for (const double run_out : run_outs(entries)) samples.push_back({run_out, 1});
+    for (const StudyEntry& entry : entries)
+        if (entry.row->is_result) samples.push_back({reached_by(*entry.row), 1});
     std::vector<Reached> all;
     if (samples.empty()) return all;
     for (const double distance : distances)
@@ -140,7 +156,8 @@ std::vector<const StudyRow*> without_result(const std::vector<StudyEntry>& entri
 
 std::string below(const std::vector<StudyEntry>& entries, const RunOutTableOptions& options,
                   const char* item) {
-    std::string text;
+    const std::string former = former_fronts(entries);
+    std::string text = former.empty() ? former : item + former;
     for (const Reached& reached : reached_distances(entries, options.distances))
         text += fmt::format(
             "{}{:g} m or more is reached with a probability of {:.3g} +-{:.2g} (one standard error)\n", item,

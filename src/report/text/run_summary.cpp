@@ -30,6 +30,26 @@ std::string front_line(const StoredRun& run) {
         title(run), m.run_out_m, m.run_out_normalised);
 }
 
+/// What counts as the front, and what lies or flew beyond it.
+std::string definition_lines(const StoredRun& run) {
+    const Measures& m = run.measures;
+    if (run.front_definition != current_front_definition) return former_front_sentence() + "\n";
+    std::string text = fmt::format(
+        "The front is the farthest place where all soil is {:.3g} m thick in a window of +-{:.3g} m; "
+        "distances "
+        "are horizontal.\n",
+        m.front_thickness_m, m.front_window_m);
+    constexpr double worth_saying = 0.001;  // of the distance
+    if (m.farthest_front_m > m.run_out_m * (1 + worth_saying))
+        text += fmt::format("On the way it was {:.4g} m past the toe.\n", m.farthest_front_m);
+    if (m.farthest_soil_m > m.farthest_front_m)
+        text += fmt::format(
+            "Thinner debris and single grains come {:.4g} m past the toe, at up to {:.3g} m/s; {:.3g} m2 lie "
+            "beyond the front.\n",
+            m.farthest_soil_m, m.beyond_front_speed_m_s, m.beyond_front_area_m2);
+    return text;
+}
+
 /// Where the run-out counts from, and what speaks against it.
 std::string face_lines(const StoredRun& run) {
     const auto origin = [](const std::string& word) { return word.empty() ? "" : ", " + word; };
@@ -51,8 +71,8 @@ std::string deposit_lines(const StoredRun& run) {
     text += fmt::format("Front speed up to {:.3g} m/s; at rest after {:.3g} s.\n", m.peak_front_speed_m_s,
                         m.time_to_rest_s);
     if (m.stray_particles > 0)
-        text += fmt::format("{:.0f} stray particle{} apart from the deposit, not counted in it.\n",
-                            m.stray_particles, m.stray_particles == 1 ? "" : "s");
+        text += fmt::format("{:.0f} stray particle{} apart from the deposit.\n", m.stray_particles,
+                            m.stray_particles == 1 ? "" : "s");
     return text;
 }
 
@@ -81,16 +101,19 @@ std::string source_line(const StoredRun& run) {
                        run.friction_angle_deg);
 }
 
-std::string gauge_line(const GaugeRecord& gauge) {
-    if (std::isnan(gauge.arrival_time_s))
-        return fmt::format("Gauge {} at chainage {:.5g} m: nothing arrives.\n", printable(gauge.name),
-                           gauge.chainage_m);
-    return fmt::format(
-        "Gauge {} at chainage {:.5g} m: arrival after {:.3g} s, up to {:.3g} m thick, {:.3g} m/s, kinetic "
-        "head "
-        "{:.3g} m; {:.4g} m2 pass.\n",
-        printable(gauge.name), gauge.chainage_m, gauge.arrival_time_s, gauge.greatest_thickness_m,
-        gauge.greatest_speed_m_s, gauge.greatest_kinetic_head_m, gauge.passed_area_m2);
+std::string place_line(const PlaceRecord& place) {
+    std::string text =
+        fmt::format("Place {}{} at chainage {:.5g} m", printable(place.name),
+                    place.kind.empty() ? "" : fmt::format(" ({})", printable(place.kind)), place.chainage_m);
+    if (place.width_m > 0) text += fmt::format(", {:.3g} m wide", place.width_m);
+    if (std::isnan(place.arrival_time_s)) return text + ": not reached.\n";
+    return text +
+           fmt::format(
+               ": reached after {:.3g} s, up to {:.3g} m thick, {:.3g} m/s, kinetic head {:.3g} m, momentum "
+               "flux {:.3g} kN/m; {:.4g} m2 pass, {:.3g} m lie at the end.\n",
+               place.arrival_time_s, place.greatest_thickness_m, place.greatest_speed_m_s,
+               place.greatest_kinetic_head_m, 1e-3 * place.greatest_momentum_flux_n_m, place.passed_area_m2,
+               place.final_thickness_m);
 }
 
 std::string barrier_lines(const BarrierRecord& barrier) {
@@ -121,7 +144,7 @@ std::string effects_line(const StoredRun& run) {
 
 std::string effect_lines(const StoredRun& run) {
     std::string text;
-    for (const GaugeRecord& gauge : run.gauges) text += gauge_line(gauge);
+    for (const PlaceRecord& place : run.places) text += place_line(place);
     for (const BarrierRecord& barrier : run.barriers) text += barrier_lines(barrier);
     if (std::isfinite(run.measures.eroded_area_m2))
         text += fmt::format("{:.4g} m2 of the bed were carried along.\n", run.measures.eroded_area_m2);
@@ -164,6 +187,10 @@ std::vector<std::string> section_doubts(const StoredRun& run) {
     return doubts;
 }
 
+std::string former_front_sentence() {
+    return "This front has the former definition: contiguous by top, along the bed (before database 10).";
+}
+
 std::string resolution_warning(const StoredRun& run) {
     const double along = std::sqrt(run.measures.source_area_m2) / run.work.particle_spacing_m;
     if (along < coarse_particles_along_root_area)
@@ -171,10 +198,13 @@ std::string resolution_warning(const StoredRun& run) {
             "Coarse: only {:.0f} particles along sqrt(S); a finer run may move the front by several per "
             "cent.",
             along);
-    if (run.measures.front_thickness_m < run.work.particle_spacing_m)
-        return fmt::format(
-            "Coarse: the front is read where the deposit is {:.3g} m thick, less than one particle.",
-            run.measures.front_thickness_m);
+    const Measures& m = run.measures;
+    constexpr double kernel_peak = 0.9375;  // of a window, over its half-width
+    const double grain = run.work.particle_spacing_m * run.work.particle_spacing_m;
+    if (run.front_definition == current_front_definition &&
+        kernel_peak * grain >= m.front_thickness_m * m.front_window_m)
+        return fmt::format("Coarse: one particle alone is as thick as the front, {:.3g} m.",
+                           m.front_thickness_m);
     return {};
 }
 
@@ -192,6 +222,8 @@ std::string status_reason(RunStatus status) {
             return "an invariant of the physics was violated";
         case RunStatus::interrupted:
             return "it was stopped";
+        case RunStatus::not_a_body:
+            return "what came to rest is no body of soil";
         case RunStatus::settled:
         case RunStatus::stable:
             break;
@@ -204,8 +236,8 @@ std::string run_summary(const StoredRun& run) {
     if (run.status == RunStatus::stable)
         return fmt::format("{}: the source stands at this strength: no run-out.\n", title(run)) +
                source_line(run) + effect_lines(run) + work_line(run);
-    return front_line(run) + face_lines(run) + deposit_lines(run) + error_lines(run) + source_line(run) +
-           effect_lines(run) + work_line(run) + resolution_line(run);
+    return front_line(run) + definition_lines(run) + face_lines(run) + deposit_lines(run) + error_lines(run) +
+           source_line(run) + effect_lines(run) + work_line(run) + resolution_line(run);
 }
 
 std::string time_table(const std::vector<PhaseTime>& phases) {

@@ -33,8 +33,7 @@ void add_soundness(std::vector<std::string>& warnings, const StoredRun& run) {
                         run.work.bed_guard_activations, run.work.steps, run.work.particles));
     if (run.measures.stray_particles > 0 && is_result(run.status))
         warnings.push_back(
-            fmt::format("{:.0f} particles lie apart from the deposit and are not counted in its front.",
-                        run.measures.stray_particles));
+            fmt::format("{:.0f} particles lie apart from the deposit.", run.measures.stray_particles));
 }
 
 }  // namespace
@@ -46,6 +45,7 @@ std::vector<std::string> run_warnings(const RunData& run) {
                                        to_string(run.run.status), status_reason(run.run.status),
                                        run.run.status_detail.empty() ? "" : "; ", run.run.status_detail));
     for (const std::string& doubt : section_doubts(run.run)) warnings.push_back(doubt);
+    if (run.run.front_definition != current_front_definition) warnings.push_back(former_front_sentence());
     const std::string coarse = resolution_warning(run.run);
     if (is_result(run.run.status) && !coarse.empty()) warnings.push_back(coarse);
     add_front_plane(warnings, run.run);

@@ -30,14 +30,50 @@ std::string cell_text(const Cell& cell) {
         cell);
 }
 
+/// Of all runs, each once, in the order in which they come.
+std::vector<std::string> place_names(const std::vector<StoredRun>& runs) {
+    std::vector<std::string> names;
+    for (const StoredRun& run : runs)
+        for (const PlaceRecord& place : run.places)
+            if (std::ranges::find(names, place.name) == names.end()) names.push_back(place.name);
+    return names;
+}
+
+/// Null where the run does not know the place or is no result.
+const PlaceRecord* place_named(const StoredRun& run, const std::string& name) {
+    const auto found = std::ranges::find(run.places, name, &PlaceRecord::name);
+    return found == run.places.end() || !is_result(run.status) ? nullptr : &*found;
+}
+
+/// What a place adds to a line of CSV: "place house reached", ...
+std::vector<RunColumn> place_columns_of(const StoredRun& run, const std::string& name) {
+    const PlaceRecord* place = place_named(run, name);
+    const auto number = [&](double PlaceRecord::*value) {
+        return place != nullptr && std::isfinite(place->*value) ? Cell(place->*value) : Cell();
+    };
+    const bool is_reached = place != nullptr && std::isfinite(place->arrival_time_s);
+    const std::string start = fmt::format("place {} ", name);
+    return {{start + "reached", place == nullptr ? Cell() : Cell(is_reached ? 1L : 0L)},
+            {start + "arrival_time_s", number(&PlaceRecord::arrival_time_s)},
+            {start + "greatest_thickness_m", number(&PlaceRecord::greatest_thickness_m)},
+            {start + "greatest_speed_m_s", number(&PlaceRecord::greatest_speed_m_s)}};
+}
+
 std::string csv_table(const std::vector<StoredRun>& runs) {
+    const std::vector<std::string> places = place_names(runs);
     std::string header;
     for (const RunColumn& column : run_columns({}))
         header += fmt::format("{}{}", header.empty() ? "" : ",", csv_cell(column.name));
+    for (const std::string& place : places)
+        for (const RunColumn& column : place_columns_of({}, place))
+            header += fmt::format(",{}", csv_cell(column.name));
     std::string text = header + "\n";
     for (const StoredRun& run : runs) {
         std::string line;
-        for (const RunColumn& column : run_columns(run)) line += cell_text(column.value) + ",";
+        for (const RunColumn& column : run_columns(run)) line += fmt::format("{},", cell_text(column.value));
+        for (const std::string& place : places)
+            for (const RunColumn& column : place_columns_of(run, place))
+                line += fmt::format("{},", cell_text(column.value));
         line.back() = '\n';
         text += line;
     }
@@ -46,7 +82,7 @@ std::string csv_table(const std::vector<StoredRun>& runs) {
 
 /// A column of the text table: the few numbers that are compared at a glance.
 struct TextColumn {
-    const char* title;
+    std::string title;
     const char* unit;
     bool is_word;  ///< words to the left, numbers to the right
     std::function<std::string(const StoredRun&)> cell;
@@ -73,8 +109,23 @@ std::function<std::string(const StoredRun&)> error(double Appraisal::*value, con
     };
 }
 
-const std::vector<TextColumn>& text_columns() {
-    static const std::vector<TextColumn> columns = {
+/// With a mark where the front has its former definition.
+std::string run_out_cell(const StoredRun& run) {
+    const std::string number = measure(&Measures::run_out_m, "{:.4g}")(run);
+    return number.empty() || run.front_definition == current_front_definition ? number
+                                                                              : fmt::format("{}*", number);
+}
+
+/// Thickness and speed of what arrived at a place.
+std::string place_cell(const StoredRun& run, const std::string& name) {
+    const PlaceRecord* place = place_named(run, name);
+    if (place == nullptr) return {};
+    if (!std::isfinite(place->arrival_time_s)) return "not reached";
+    return fmt::format("{:.3g} m, {:.3g} m/s", place->greatest_thickness_m, place->greatest_speed_m_s);
+}
+
+std::vector<TextColumn> text_columns(const std::vector<StoredRun>& runs) {
+    std::vector<TextColumn> columns = {
         {"run", "", false, [](const StoredRun& run) { return std::to_string(run.run_id); }},
         {"name", "", true, [](const StoredRun& run) { return run.name; }},
         {"source", "", true, [](const StoredRun& run) { return run.source_type; }},
@@ -82,7 +133,7 @@ const std::vector<TextColumn>& text_columns() {
         {"friction", "deg", false, angle(&StoredRun::friction_angle_deg)},
         {"area", "m2", false, measure(&Measures::source_area_m2, "{:.4g}")},
         {"drop height", "m", false, measure(&Measures::drop_height_m, "{:.4g}")},
-        {"run-out", "m", false, measure(&Measures::run_out_m, "{:.4g}")},
+        {"run-out", "m", false, run_out_cell},
         {"+-", "m", false, error(&Appraisal::run_out_error_m, "{:.2g}")},
         {"L/sqrt(S)", "-", false, measure(&Measures::run_out_normalised, "{:.3f}")},
         {"reach angle", "deg", false, measure(&Measures::reach_angle_deg, "{:.1f}")},
@@ -92,6 +143,9 @@ const std::vector<TextColumn>& text_columns() {
         {"front speed", "m/s", false, measure(&Measures::peak_front_speed_m_s, "{:.3g}")},
         {"status", "", true, [](const StoredRun& run) { return std::string(to_string(run.status)); }},
     };
+    for (const std::string& name : place_names(runs))
+        columns.insert(columns.end() - 1, {fmt::format("at {}", name), "", true,
+                                           [name](const StoredRun& run) { return place_cell(run, name); }});
     return columns;
 }
 
@@ -109,9 +163,8 @@ std::size_t display_width(const std::string& text) {
 
 using Line = std::vector<std::string>;
 
-std::string aligned(const std::vector<Line>& lines) {
-    const auto& columns = text_columns();
-    std::vector<std::size_t> widths(columns.size(), 0);
+std::string aligned(const std::vector<Line>& lines, const std::vector<TextColumn>& columns) {
+    std::vector<std::size_t> widths(lines.front().size(), 0);
     for (const Line& line : lines)
         for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], display_width(line[i]));
     std::string text;
@@ -137,18 +190,27 @@ std::string reasons(const std::vector<StoredRun>& runs) {
     return text.empty() ? text : "\n" + text;
 }
 
+/// What the mark means.
+std::string former_fronts(const std::vector<StoredRun>& runs) {
+    const bool any = std::ranges::any_of(runs, [](const StoredRun& run) {
+        return is_result(run.status) && run.front_definition != current_front_definition;
+    });
+    return any ? fmt::format("\n* {}\n", former_front_sentence()) : "";
+}
+
 std::string text_table(const std::vector<StoredRun>& runs) {
     if (runs.empty()) return "no runs stored\n";
+    const std::vector<TextColumn> columns = text_columns(runs);
     std::vector<Line> lines(2);
-    for (const TextColumn& column : text_columns()) {
-        lines[0].emplace_back(column.title);
+    for (const TextColumn& column : columns) {
+        lines[0].push_back(printable(column.title));
         lines[1].emplace_back(column.unit);
     }
     for (const StoredRun& run : runs) {
         Line& line = lines.emplace_back();
-        for (const TextColumn& column : text_columns()) line.push_back(printable(column.cell(run)));
+        for (const TextColumn& column : columns) line.push_back(printable(column.cell(run)));
     }
-    return aligned(lines) + reasons(runs);
+    return aligned(lines, columns) + former_fronts(runs) + reasons(runs);
 }
 
 }  // namespace

@@ -29,6 +29,9 @@ std::string time_table(const std::vector<PhaseTime>& phases);
 /// What speaks against the toe and crest that a run counts from, a sentence each.
 std::vector<std::string> section_doubts(const StoredRun& run);
 
+/// Of a run whose front has the definition of before database 10.
+std::string former_front_sentence();
+
 /// A sentence when the particles were too coarse for the front; empty otherwise.
 std::string resolution_warning(const StoredRun& run);
 
