@@ -6,6 +6,7 @@
 
 #include "engine/pairs/operators.h"
 #include "engine/pairs/row_passes.h"
+#include "engine/particles/fine_detail.h"
 #include "engine/threads/node_array.h"
 
 namespace runout {
@@ -90,7 +91,7 @@ Stepper::Stepper(const Problem& problem, const Packing& packing)
       effects_(problem, discretisation_),
       ground_(problem.mass.ground),
       scales_(scales_of(problem, effects_)),
-      particles_(particles_at_release(packing, problem.mass.ground, effects_)),
+      particles_(particles_at_release(packing, met_ground(problem.mass.ground), effects_)),
       starts_(positions_of(particles_.soil)),
       search_(discretisation_, threads_),
       friction_(discretisation_, effects_.yield_strength(particles_.wall), settings_.friction,
@@ -113,7 +114,12 @@ Stepper::Stepper(const Problem& problem, const Packing& packing)
     make_room();
     search_.sort(particles_.soil);
     search_.find(particles_.soil, particles_.wall, particles_.neighbours);
-    effects_.start(ground_.points(), particles_, starts_);
+    effects_.start(met_ground(ground_.points()), particles_, starts_);
+}
+
+/// The ground as the particles can meet it. Thickness and run-out count from the ground as it is.
+Polyline Stepper::met_ground(const Polyline& ground) const {
+    return without_fine_detail(ground, discretisation_.spacing);
 }
 
 void Stepper::make_room() {
@@ -174,7 +180,7 @@ void Stepper::let_go_what_is_due() {
 void Stepper::let_go_mass(const Mass& mass) {
     Wall& wall = particles_.wall;
     ground_ = BedLine(mass.ground);
-    wall = effects_.wall_under(mass.ground);
+    wall = effects_.wall_under(met_ground(mass.ground));
     pressure_.forget_wall();
     friction_.set_yield(effects_.yield_strength(wall));
     effects_.take_new_wall(wall);

@@ -83,6 +83,7 @@ class Stepper {
     void let_go_mass(const Mass& mass);
     void add_soil(const std::vector<Vec2>& points);
     void make_room();
+    [[nodiscard]] Polyline met_ground(const Polyline& ground) const;
 
     // The step.
     void find_neighbours();

@@ -213,6 +213,13 @@ TEST(Reach, TeethAndCracksAddNoDistance) {
     const Measures teeth = run_out(saw);
     EXPECT_NEAR(teeth.run_out_m, flat.run_out_m, 0.05);
     EXPECT_LT(teeth.peak_front_speed_m_s, std::sqrt(2 * 9.81 * 0.1));
+    // Teeth finer than the particles, on which they once skipped as on ice.
+    std::vector<Vec2> fine = {{0, 0.2}, {0, 0}, {0.21, 0}};
+    for (double x = 0.21; x < 0.9; x += 0.002) fine.insert(fine.end(), {{x + 0.001, 0.001}, {x + 0.002, 0}});
+    fine.emplace_back(2, 0);
+    const Measures rough = run_out(fine);
+    EXPECT_NEAR(rough.run_out_m, flat.run_out_m, 0.05);
+    EXPECT_LT(rough.peak_front_speed_m_s, std::sqrt(2 * 9.81 * 0.1));
 }
 
 }  // namespace
