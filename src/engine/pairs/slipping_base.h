@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "engine/pairs/neighbours.h"
 #include "engine/particles/wall.h"
 #include "engine/simd/pair_kernels.h"
@@ -16,7 +18,8 @@ namespace runout {
 /// wall beneath it does so for an instant only, and counts as much as the wall: friction would shake with it.
 /// Pressures in Pa.
 inline double traction_factor(double soil_pressure, double wall_pressure) {
-    return wall_pressure > soil_pressure ? 1.0 + soil_pressure / wall_pressure : 2.0;
+    const double pressing = std::max(0.0, soil_pressure);  // cohesive soil may pull
+    return wall_pressure > pressing ? 1.0 + pressing / wall_pressure : 2.0;
 }
 
 /// The stress of each node and the pressure that bounds it, Pa.
