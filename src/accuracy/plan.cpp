@@ -198,9 +198,8 @@ void appraise(const Pilots& pilots, const SurveyError& survey, double resolution
     appraisal.run_out_error_m = pilots.run_out_share(resolution) * pilots.scale();
     const double angle = pilots.finest(&PilotRow::reach_angle_deg);
     if (std::isfinite(angle)) appraisal.reach_angle_error_deg = pilots.reach_angle_share(resolution) * angle;
-    appraisal.error_note =
-        fmt::format("{}, held against the ladders of {} shipped scenes, made with the former front",
-                    pilots_text(pilots.rows()), survey.scenes());
+    appraisal.error_note = fmt::format("{}, held against the ladders of {} shipped scenes",
+                                       pilots_text(pilots.rows()), survey.scenes());
 }
 
 RunPlan plan_from_ladder(const Scene& scene, const PlanOptions& options) {

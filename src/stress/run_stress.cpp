@@ -45,7 +45,10 @@ std::string stress_name(std::uint64_t seed, int index) {
 }
 
 bool is_sound(const StressOutcome& outcome) {
-    return !outcome.refusal.empty() || (outcome.result && is_result(outcome.result->status));
+    if (!outcome.refusal.empty()) return true;
+    if (!outcome.result) return false;
+    const RunStatus status = outcome.result->status;
+    return is_result(status) || status == RunStatus::not_a_body;
 }
 
 std::vector<StressOutcome> run_stress(const std::vector<StressPoint>& points, std::uint64_t seed,

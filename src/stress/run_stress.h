@@ -38,7 +38,7 @@ std::string stress_name(std::uint64_t seed, int index);
 std::vector<StressOutcome> run_stress(const std::vector<StressPoint>& points, std::uint64_t seed,
                                       Store& store, const StressOptions& options);
 
-/// Settled, stands, or was refused as invalid input.
+/// Came to rest, though it be as spray, or was refused as invalid input.
 bool is_sound(const StressOutcome& outcome);
 
 }  // namespace runout

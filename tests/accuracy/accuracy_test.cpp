@@ -296,12 +296,12 @@ TEST(Plan, ChoosesACoarserRunForACoarserTarget) {
     PlanOptions options;
     options.target = AccuracyTarget{0.3, 0};
     const RunPlan coarse = plan_run(small_column(), options);
-    options.target = AccuracyTarget{0.1, 0};
+    options.target = AccuracyTarget{0.04, 0};
     const RunPlan fine = plan_run(small_column(), options);
     EXPECT_LT(coarse.scene.run.resolution, fine.scene.run.resolution);
     EXPECT_GT(coarse.appraisal.run_out_error_m, fine.appraisal.run_out_error_m);
     EXPECT_EQ(fine.appraisal.error_origin, "pilot");
-    EXPECT_EQ(fine.appraisal.accuracy_asked, "10 %");
+    EXPECT_EQ(fine.appraisal.accuracy_asked, "4 %");
     EXPECT_GT(fine.appraisal.expected_cpu_s, 0);
     EXPECT_FALSE(fine.pilots.empty());
     EXPECT_FALSE(fine.reason.empty());
