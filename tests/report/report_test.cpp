@@ -391,6 +391,20 @@ TEST(RunSummary, SaysWhatArrivesAtAPlace) {
     EXPECT_TRUE(has(text, "Place road at chainage 70 m: not reached."));
 }
 
+// A place 0.04 m beyond the front, with an error of half a metre, was told as not reached and no more.
+TEST(RunSummary, SaysWhenAPlaceIsReachedWithinTheError) {
+    StoredRun run = run_with_places();
+    run.toe_chainage_m = 50;
+    run.measures.farthest_front_m = 19.9;
+    run.appraisal.run_out_error_m = 0.5;
+    EXPECT_TRUE(
+        has(run_summary(run), "Place road at chainage 70 m: not reached, but 0.1 m beyond the front is"));
+    EXPECT_TRUE(has(run_table({run}, TableFormat::text), "not reached, within error"));
+    run.appraisal.run_out_error_m = 0.05;
+    EXPECT_TRUE(has(run_summary(run), "Place road at chainage 70 m: not reached."));
+    EXPECT_FALSE(has(run_table({run}, TableFormat::text), "within error"));
+}
+
 TEST(RunSummary, AStableSourceStands) {
     StoredRun run = slope_run();
     run.status = RunStatus::stable;

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "report/text/place_doubt.h"
 #include "report/text/run_columns.h"
 #include "report/text/table.h"
 #include "store/columns.h"
@@ -50,7 +51,8 @@ Json places_json(const StoredRun& run) {
         Json object = {
             {"name", place.name},
             {"kind", place.kind},
-            {"reached", is_result(run.status) ? Json(!std::isnan(place.arrival_time_s)) : Json(nullptr)}};
+            {"reached", is_result(run.status) ? Json(!std::isnan(place.arrival_time_s)) : Json(nullptr)},
+            {"within_error", is_result(run.status) ? Json(within_error(run, place)) : Json(nullptr)}};
         append_numbers(object, place, place_columns());
         places.push_back(std::move(object));
     }

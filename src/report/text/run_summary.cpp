@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/printable.h"
+#include "report/text/place_doubt.h"
 #include "report/text/table.h"
 
 namespace runout {
@@ -101,11 +102,15 @@ std::string source_line(const StoredRun& run) {
                        run.friction_angle_deg);
 }
 
-std::string place_line(const PlaceRecord& place) {
+std::string place_line(const StoredRun& run, const PlaceRecord& place) {
     std::string text =
         fmt::format("Place {}{} at chainage {:.5g} m", printable(place.name),
                     place.kind.empty() ? "" : fmt::format(" ({})", printable(place.kind)), place.chainage_m);
     if (place.width_m > 0) text += fmt::format(", {:.3g} m wide", place.width_m);
+    if (within_error(run, place))
+        return text + fmt::format(
+                          ": not reached, but {:.2g} m beyond the front is within its error of +-{:.2g} m.\n",
+                          beyond_front(run, place), run.appraisal.run_out_error_m);
     if (std::isnan(place.arrival_time_s)) return text + ": not reached.\n";
     return text +
            fmt::format(
@@ -144,7 +149,7 @@ std::string effects_line(const StoredRun& run) {
 
 std::string effect_lines(const StoredRun& run) {
     std::string text;
-    for (const PlaceRecord& place : run.places) text += place_line(place);
+    for (const PlaceRecord& place : run.places) text += place_line(run, place);
     for (const BarrierRecord& barrier : run.barriers) text += barrier_lines(barrier);
     if (std::isfinite(run.measures.eroded_area_m2))
         text += fmt::format("{:.4g} m2 of the bed were carried along.\n", run.measures.eroded_area_m2);

@@ -10,6 +10,7 @@
 
 #include "core/csv_cell.h"
 #include "core/printable.h"
+#include "report/text/place_doubt.h"
 #include "report/text/run_columns.h"
 #include "report/text/run_json.h"
 
@@ -120,6 +121,7 @@ std::string run_out_cell(const StoredRun& run) {
 std::string place_cell(const StoredRun& run, const std::string& name) {
     const PlaceRecord* place = place_named(run, name);
     if (place == nullptr) return {};
+    if (within_error(run, *place)) return "not reached, within error";
     if (!std::isfinite(place->arrival_time_s)) return "not reached";
     return fmt::format("{:.3g} m, {:.3g} m/s", place->greatest_thickness_m, place->greatest_speed_m_s);
 }
