@@ -29,9 +29,8 @@ std::vector<IntensityClass> usual_intensities() {
 }
 
 std::string usual_intensities_origin() {
-    return "Classes as in the Swiss recommendation on flood hazards for debris flows (BWW, BRP, BUWAL 1997): "
-           "high "
-           "where it is thicker than 1 m and faster than 1 m/s, else medium; there is no low one.";
+    return "Default classes, not yet checked against a source: high where it is thicker than 1 m and faster "
+           "than 1 m/s, else medium; there is no low one. Give your own by --intensity.";
 }
 
 std::string intensity_of(const std::vector<IntensityClass>& classes, double thickness_m, double speed_m_s) {
