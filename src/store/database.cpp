@@ -177,6 +177,18 @@ void throw_storage_error(const std::string& path, const SQLite::Exception& error
     throw refusal(path, problem, remedy_of(error));
 }
 
+namespace {
+
+/// While a file is opened all statements are ours, so that it is the file that SQLite cannot take: the number
+/// of a format to come, say.
+[[noreturn]] void throw_opening_error(const std::string& path, const SQLite::Exception& error) {
+    if (error.getErrorCode() == SQLITE_ERROR)
+        throw refusal(path, fmt::format("cannot be read as a database ({})", error.what()), what_is_valid);
+    throw_storage_error(path, error);
+}
+
+}  // namespace
+
 std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
     refuse_impossible_path(path);
     std::error_code ignored;
@@ -194,7 +206,7 @@ std::unique_ptr<SQLite::Database> open_for_reading(const std::string& path) {
     } catch (const DamagedData& damage) {
         throw refusal(path, damage.what(), what_is_valid);
     } catch (const SQLite::Exception& error) {
-        throw_storage_error(path, error);
+        throw_opening_error(path, error);
     }
 }
 
@@ -226,7 +238,7 @@ std::unique_ptr<SQLite::Database> open_for_writing(const std::string& path) {
         throw refusal(path, damage.what(), what_is_valid);
     } catch (const SQLite::Exception& error) {
         if (!existed) remove_if_empty(path);
-        throw_storage_error(path, error);
+        throw_opening_error(path, error);
     }
 }
 

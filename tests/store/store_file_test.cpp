@@ -224,6 +224,13 @@ TEST_F(ForeignFile, ImpossibleVersion) {
     expect_refused("has the impossible database version 0");
 }
 
+TEST_F(ForeignFile, SchemaFormatToCome) {
+    add(example_scene(), example_result());
+    constexpr std::streamoff schema_format = 47;  // last byte of that number in SQLite's header; 4 at most
+    std::fstream(path, std::ios::in | std::ios::out | std::ios::binary).seekp(schema_format).put(9);
+    expect_refused("cannot be read as a database (unsupported file format)");
+}
+
 TEST_F(StoreTest, DamageIsSaid) {
     add(example_scene(), example_result());
     fs::resize_file(path, fs::file_size(path) / 2);
