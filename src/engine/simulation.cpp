@@ -27,6 +27,10 @@ void Simulation::step() {
     stepper_->step();
 }
 
+void Simulation::end_at_rest() {
+    stepper_->end_at_rest();
+}
+
 RunStatus Simulation::status() const {
     return stepper_->ending().status();
 }

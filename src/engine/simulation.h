@@ -39,6 +39,9 @@ class Simulation {
     /// meanwhile, see released(). Never throws for what the physics does: status() says it. Throws
     /// std::runtime_error if the coarse pressure matrix cannot be factorised.
     void step();
+    /// Ends the run as at rest, by the judgement of who reads it: `stable` where no particle has moved by two
+    /// spacings, else `settled`.
+    void end_at_rest();
 
     /// How the run ended; `running` until it has.
     [[nodiscard]] RunStatus status() const;

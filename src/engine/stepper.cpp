@@ -393,7 +393,7 @@ void Stepper::judge(StepFacts& facts, double dt) {
     if (!ending_.at_rest(soil, time_))
         ending_.judge_time(time_);
     else if (!effects_.act_at(time_) && !release_.goes_on(time_))
-        ending_.end_at_rest(soil, starts_);
+        end_at_rest();
     if (sleep_ && !effects_.act_at(time_)) sleep_->observe(soil, n.density, time_);
 }
 

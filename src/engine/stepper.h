@@ -60,6 +60,8 @@ class Stepper {
     ///   neighbours -> time step -> friction (predictor) -> pressure (projection) -> correct -> move
     /// The first calls find the state of stress at release instead; time stands still meanwhile.
     void step();
+    /// Ends the run as at rest.
+    void end_at_rest() { ending_.end_at_rest(particles_.soil, starts_); }
 
     [[nodiscard]] StateView state() const;
     [[nodiscard]] EnergyBudget energy() const;

@@ -19,7 +19,9 @@ constexpr double least_fraction_for_estimate = 0.03;
 
 std::string time_left(const Progress& progress) {
     if (progress.fraction < least_fraction_for_estimate) return "estimating the time left";
-    return duration_text(progress.wall_s * (1 - progress.fraction) / progress.fraction) + " left";
+    const double left = progress.wall_s * (1 - progress.fraction) / progress.fraction;
+    return fmt::format("{} left, {} at most", duration_text(left),
+                       duration_text(std::max(left, progress.most_left_s)));
 }
 
 std::string bar_text(const Progress& progress) {

@@ -65,10 +65,10 @@ void narrow(std::vector<StressAxis>& axes, const std::string& text) {
     const auto low = number_from(range.substr(0, colon));
     const auto high = colon == std::string::npos ? low : number_from(range.substr(colon + 1));
     const bool ordered = low && high && *low <= *high;
-    if (!ordered || *low < axis->low || *high > axis->high)
+    if (!ordered || *low < axis->low || *high > axis->most)
         throw InputError(
             place, "is not a range of this axis",
-            fmt::format("give {}=LOW:HIGH or one number, from {} to {}", name, axis->low, axis->high));
+            fmt::format("give {}=LOW:HIGH or one number, from {} to {}", name, axis->low, axis->most));
     axis->low = *low;
     axis->high = *high;
 }
@@ -126,7 +126,9 @@ int stress(const StressArguments& arguments) {
 std::string axes_text() {
     std::string text = "Axes, for --range:\n";
     for (const StressAxis& axis : stress_axes())
-        text += fmt::format("  {:<20} {:g} to {:g}: {}\n", axis.name, axis.low, axis.high, axis.meaning);
+        text += fmt::format("  {:<20} {:g} to {:g}{}: {}\n", axis.name, axis.low, axis.high,
+                            axis.most > axis.high ? fmt::format(" (to {:g} if asked for)", axis.most) : "",
+                            axis.meaning);
     return text;
 }
 
@@ -141,7 +143,7 @@ void add_stress_command(CommandLine& program) {
                       {1, 1e6});
     add_number_option(command, "--seed", arguments->seed, "The same seed makes the same scenes",
                       not_negative);
-    command.add_option("--range", &arguments->ranges, "Narrow an axis, or fix it; may be repeated")
+    command.add_option("--range", &arguments->ranges, "Range of an axis, or its one value; may be repeated")
         .value_name("axis=LOW:HIGH")
         .one_value_a_use();
     command

@@ -16,6 +16,7 @@
 #include "measures/front_rule.h"
 #include "measures/places.h"
 #include "measures/reach.h"
+#include "run/creep_watch.h"
 #include "run/frames.h"
 #include "run/peak_memory.h"
 #include "run/rest_measures.h"
@@ -184,12 +185,15 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
     const PeakMemory memory;
     Simulation simulation(make_problem(scene));
     Recorders recorders(scene, simulation, control.frames);
+    CreepWatch creep(scene, simulation);
     RunResult result;
     double reported = -1.0;
     bool interrupted = false;
     while (simulation.status() == RunStatus::running && !interrupted) {
         simulation.step();
         recorders.sample(simulation);
+        creep.look(simulation, recorders.reach());
+        if (creep.negligible() && simulation.status() == RunStatus::running) simulation.end_at_rest();
         const bool last_stage = scene.effects.release && simulation.status() != RunStatus::running;
         if (simulation.stage_ended() || last_stage) {
             result.stages.push_back(stage_at_rest(scene, simulation));
@@ -198,7 +202,8 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
         if (control.on_progress && elapsed - reported > progress_period_s) {
             reported = elapsed;
             control.on_progress({simulation.time(), simulation.time_limit(), fraction_done(simulation),
-                                 simulation.work().steps, elapsed});
+                                 simulation.work().steps, elapsed,
+                                 elapsed * (simulation.time_limit() / simulation.time() - 1)});
         }
         interrupted = control.interrupt != nullptr && control.interrupt->load();
     }
@@ -216,6 +221,7 @@ RunResult run_scene(const Scene& scene, const RunControl& control) {
     result.status_detail = verdict.detail;
     if (const std::string warning = spray_warning(simulation, result.measures); !warning.empty())
         result.advice.insert(result.advice.begin(), warning);
+    if (creep.negligible()) result.advice.insert(result.advice.begin(), creep.sentence());
     result.work = work_of(simulation);
     result.deposit = rows_of(profile, scene.profile);
     for (int p = 0; p < static_cast<int>(Phase::count); ++p) {

@@ -15,6 +15,7 @@ struct Progress {
     double fraction = 0;  ///< of the expected run, 0 to 1, from the energy still to be lost
     long steps = 0;
     double wall_s = 0;
+    double most_left_s = 0;  ///< wall-clock time until the time limit at the pace so far
 };
 
 /// Links of a run to whoever started it, who may leave all of them as they are.

@@ -34,7 +34,7 @@ std::vector<StressAxis> stress_axes() {
          "size of wall, arc, berm, notch or step over sqrt(S)"},
         {"size_m", &P::size_m, 0.03, 30, true, "sqrt(S)"},
         {"gravity_m_s2", &P::gravity_m_s2, 1, 9810, true, "gravity"},
-        {"resolution", &P::resolution, 5, 12, true, "sqrt(S) over particle spacing"},
+        {"resolution", &P::resolution, 5, 12, true, "sqrt(S) over particle spacing", 64},
         {"reversed", &P::reversed, 0, 2, false, "from 1: the section descends against its chainage"},
         {"offset_m", &P::offset_m, -1e6, 1e6, false, "chainage of the upper end"},
     };

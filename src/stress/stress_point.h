@@ -36,6 +36,8 @@ struct StressAxis {
     double high;
     bool logarithmic;
     std::string_view meaning;
+    /// Highest that may be asked for, beyond the range of the suite.
+    double most = high;
 };
 
 /// All axes with the ranges of the suite.

@@ -161,6 +161,11 @@ void add_random(Scenes& scenes) {
     add_random(scenes, 3, {804});  // a jet from the foot of a wall
 }
 
+/// Whether the scene says by itself how large its particles are.
+bool has_own_spacing(const Scene& scene) {
+    return scene.run.particle_spacing > 0;
+}
+
 }  // namespace
 
 StressPoint plain_hard_point() {
@@ -186,6 +191,19 @@ std::vector<HardScene> hard_scenes() {
     add_frictions(scenes);
     add_frames(scenes);
     add_random(scenes);
+    return scenes;
+}
+
+std::vector<HardScene> hard_scenes_at(double resolution, bool quick_only) {
+    Scenes scenes;
+    for (const HardScene& scene : hard_scenes()) {
+        if ((quick_only && !scene.quick) || has_own_spacing(scene.make())) continue;
+        scenes.push_back({fmt::format("{}_at_{:g}", scene.name, resolution), scene.quick, [=] {
+                              Scene finer = scene.make();
+                              finer.run.resolution = resolution;
+                              return finer;
+                          }});
+    }
     return scenes;
 }
 

@@ -18,6 +18,10 @@ struct HardScene {
 /// A plain slope of 60 deg with a box on it, from which each scene departs in a few numbers.
 StressPoint plain_hard_point();
 
+/// All, each as fine as it says, 100 particles or so.
 std::vector<HardScene> hard_scenes();
+
+/// Those that do not fix their spacing, with that sqrt(S)/dl.
+std::vector<HardScene> hard_scenes_at(double resolution, bool quick_only);
 
 }  // namespace runout
