@@ -198,7 +198,8 @@ double ThicknessField::front_in_smooth(double left, double right, const std::vec
         if (near.empty()) return nowhere;
         const double step =
             (slope + std::sqrt(slope * slope + 2.0 * curvature * (wanted - value))) / curvature;
-        x -= std::max(step, rounding * w);
+        // Far from the toe the digits of x are coarser than any share of the window.
+        x = std::min(x - std::max(step, rounding * w), std::nextafter(x, nowhere));
     }
     return nowhere;
 }

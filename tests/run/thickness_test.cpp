@@ -64,6 +64,20 @@ Soil random_soil(std::mt19937& random) {
     return soil;
 }
 
+/// There the digits of x are coarser than the steps of the search: once it went on for ever.
+TEST(ThicknessTest, FrontIsFoundFarFromTheToe) {
+    constexpr double far = 131072;  // of which the digits are exact
+    for (unsigned seed = 1; seed <= 300; ++seed) {
+        std::mt19937 random(seed);
+        Soil near = random_soil(random);
+        const double front = near.field().front();
+        Soil away = near;
+        away.bed = BedLine(Polyline{{far - 20, 0}, {far + 20, 0}});
+        for (double& x : away.x) x += far;
+        EXPECT_NEAR(away.field().front() - far, front, 1e-7) << seed;
+    }
+}
+
 TEST(ThicknessTest, OfALayerIsItsThicknessAndTheSpeedIsThatOfTheSoil) {
     Soil soil;
     soil.add_layer(-2, 2, 4);
