@@ -210,6 +210,7 @@ Ladder climb(const Scene& scene, Store& store, const LadderOptions& options) {
     const Limits limits(options, samples);
     for (int index = 0; index < most_rungs && ladder.ended.empty(); ++index) {
         const double resolution = rung_resolution(index);
+        if (resolution > options.finest) break;
         ladder.ended = limits.against(resolution);
         if (!ladder.ended.empty()) break;
         Rung rung{resolution, {}};

@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -67,7 +68,8 @@ struct LadderOptions {
     int lattices = 3;        ///< a rung: the regular one and jittered ones
     double budget_s = 300;   ///< wall time for all
     double at_least_to = 0;  ///< sqrt(S)/dl that is run even if the target is met before
-    std::function<void(const RungSummary&)> on_rung;  ///< as each rung ends
+    double finest = std::numeric_limits<double>::infinity();  ///< sqrt(S)/dl that no rung exceeds
+    std::function<void(const RungSummary&)> on_rung;          ///< as each rung ends
     const std::atomic<bool>* interrupt = nullptr;
 };
 

@@ -27,11 +27,14 @@
 #include "scene/scene.h"
 #include "store/store.h"
 #include "store/write_ahead.h"
+#include "stress/random_slopes.h"
 
 namespace runout {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double usual_finest = 45;  // of a survey
 
 struct AccuracyArguments {
     CaseArguments scenario;
@@ -44,6 +47,8 @@ struct AccuracyArguments {
     double budget_s = 300;
     double at_least_to = 0;
     int lattices = 3;
+    int slopes = 0;
+    std::uint64_t seed = 1;
     bool methods = false;
     bool check = false;
     bool json = false;
@@ -144,6 +149,29 @@ int study(const AccuracyArguments& arguments) {
     return ladder.convergence[0].fit ? exit_code::success : exit_code::not_a_result;
 }
 
+/// Ladders of random slopes, up to the finest rung that is asked for. Those that the database holds already
+/// cost nothing, so that a survey that was stopped goes on where it was.
+int survey_slopes(const AccuracyArguments& arguments) {
+    const WriteAheadLog log_of_writes(arguments.database);
+    Store store(arguments.database, Store::Mode::write);
+    InterruptWatch interrupt;
+    wait_for_others(store, arguments.database, interrupt.requested());
+    LadderOptions options;
+    options.lattices = arguments.lattices;
+    options.budget_s = arguments.budget_s;
+    options.finest = options.at_least_to = arguments.at_least_to > 0 ? arguments.at_least_to : usual_finest;
+    options.interrupt = &interrupt.requested();
+    int done = 0;
+    for (const Scene& scene : random_slopes(arguments.slopes, arguments.seed)) {
+        const Ladder ladder = climb(scene, store, options);
+        if (interrupt.requested()) return exit_code::interrupted;
+        store.add(describe_ladder(scene, ladder));
+        log_info("{} of {}: {}, {} rungs; {}", ++done, arguments.slopes, scene.name, ladder.rungs.size(),
+                 ladder.ended);
+    }
+    return exit_code::success;
+}
+
 void write_page(const AccuracyArguments& arguments, const Store& store) {
     const fs::path page(arguments.page);
     const fs::path pictures = page.parent_path() / page.stem();
@@ -172,11 +200,12 @@ int accuracy(AccuracyArguments arguments) {
     arguments.rules.taken = taken_by(arguments);
     check_places(arguments);
     const bool from_store = !arguments.page.empty() || !arguments.survey.empty();
-    if (arguments.scenario.file.empty() && !from_store)
+    if (arguments.scenario.file.empty() && !from_store && arguments.slopes == 0)
         throw InputError(option_place("accuracy", ""), "has no FILE",
                          "give a case (.toml) or a section (.csv), or --page to write up stored studies");
     int code = exit_code::success;
     if (!arguments.scenario.file.empty()) code = study(arguments);
+    if (arguments.slopes > 0) code = survey_slopes(arguments);
     if (!from_store) return code;
     const Store store(arguments.database, Store::Mode::read);
     if (!arguments.page.empty()) write_page(arguments, store);
@@ -217,6 +246,11 @@ void add_accuracy_command(CommandLine& program) {
                   "Also let settings be chosen for 10, 5 and 2 %, run them, and hold their error bars "
                   "against the ladder")
         .group("Ladder");
+    add_number_option(command, "--slopes", arguments->slopes,
+                      "Without FILE: ladders of so many random slopes, up to --finest (45)", {0, 10000})
+        .group("Survey");
+    add_number_option(command, "--seed", arguments->seed, "The same seed makes the same slopes", not_negative)
+        .group("Survey");
     add_database_option(command, arguments->database).group("Output");
     command.add_option("--chart", &arguments->chart, "Write error against CPU time as an SVG picture")
         .value_name("PATH")
