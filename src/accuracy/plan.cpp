@@ -86,30 +86,41 @@ class Pilots {
     /// What an error is a share of, m.
     [[nodiscard]] double scale() const { return std::max(finest(&PilotRow::run_out_m), root_area_); }
 
-    /// By how much this scene changes more on refinement than any of the survey; 1 when it does not.
-    [[nodiscard]] double restlessness() const {
-        double coarse = std::numeric_limits<double>::infinity(), fine = 0;
-        int lattices = 0;
-        for (const PilotRow& row : rows_) {
-            if (!std::isfinite(row.run_out_m)) continue;
-            coarse = std::min(coarse, row.resolution);
-            fine = std::max(fine, row.resolution);
-        }
-        for (const PilotRow& row : rows_) lattices += row.resolution == fine ? 1 : 0;
-        if (!(fine > coarse)) return 1;
-        const double change = std::abs(mean(&PilotRow::run_out_m, fine) - mean(&PilotRow::run_out_m, coarse));
-        const double usual = survey_.change_share(coarse, fine, lattices);
-        return usual > 0 ? std::max(1.0, change / scale() / usual) : 1.0;
+    /// As unrest_of, by the pilots with the two coarsest spacings. Two runs alone may agree by chance, and
+    /// one tells nothing: then it is no less than that of other scenes.
+    [[nodiscard]] double unrest() const {
+        const double change = mean(&PilotRow::run_out_m, coarser) - mean(&PilotRow::run_out_m, finer);
+        if (!std::isfinite(change)) return survey_.high_unrest();
+        const double scatter = std::hypot(spread(coarser), spread(finer));
+        const double own = std::hypot(change, scatter) / scale();
+        const bool repeated = results(coarser) > 1 && results(finer) > 1;
+        return repeated ? own : std::max(own, survey_.usual_unrest());
     }
 
     [[nodiscard]] double run_out_share(double resolution) const {
-        return restlessness() * survey_.run_out_share(resolution);
+        return survey_.run_out_share(resolution, unrest());
     }
     [[nodiscard]] double reach_angle_share(double resolution) const {
-        return restlessness() * survey_.reach_angle_share(resolution);
+        return survey_.reach_angle_share(resolution, unrest());
     }
 
   private:
+    static constexpr double coarser = pilot_plans[0].resolution, finer = pilot_plans[1].resolution;
+
+    [[nodiscard]] int results(double resolution) const {
+        return static_cast<int>(std::ranges::count_if(rows_, [=](const PilotRow& row) {
+            return row.resolution == resolution && std::isfinite(row.run_out_m);
+        }));
+    }
+    /// Standard deviation of the run-outs with one spacing, m; 0 of one.
+    [[nodiscard]] double spread(double resolution) const {
+        const double middle = mean(&PilotRow::run_out_m, resolution);
+        double squares = 0;
+        for (const PilotRow& row : rows_)
+            if (row.resolution == resolution && std::isfinite(row.run_out_m))
+                squares += (row.run_out_m - middle) * (row.run_out_m - middle);
+        return std::sqrt(squares / std::max(1, results(resolution) - 1));
+    }
     [[nodiscard]] double mean(double PilotRow::*number, double resolution) const {
         double sum = 0, count = 0;
         for (const PilotRow& row : rows_) {
@@ -198,8 +209,8 @@ void appraise(const Pilots& pilots, const SurveyError& survey, double resolution
     appraisal.run_out_error_m = pilots.run_out_share(resolution) * pilots.scale();
     const double angle = pilots.finest(&PilotRow::reach_angle_deg);
     if (std::isfinite(angle)) appraisal.reach_angle_error_deg = pilots.reach_angle_share(resolution) * angle;
-    appraisal.error_note = fmt::format("{}, held against the ladders of {} shipped scenes",
-                                       pilots_text(pilots.rows()), survey.scenes());
+    appraisal.error_note =
+        fmt::format("{}, held against the ladders of {} slopes", pilots_text(pilots.rows()), survey.scenes());
 }
 
 RunPlan plan_from_ladder(const Scene& scene, const PlanOptions& options) {

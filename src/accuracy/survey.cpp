@@ -78,6 +78,16 @@ RungSummary rung_of(const std::vector<std::string>& fields, InputPlace place) {
     return rung;
 }
 
+constexpr std::size_t least_rungs = 3;
+
+/// Those with a scatter and a reach angle.
+std::vector<RungSummary> whole_rungs(const Ladder& ladder) {
+    std::vector<RungSummary> rungs;
+    for (const RungSummary& rung : ladder.rungs)
+        if (rung.results > 1 && std::isfinite(rung.values[1].mean)) rungs.push_back(rung);
+    return rungs;
+}
+
 }  // namespace
 
 std::vector<SurveyedScene> parse_survey(const std::string& text, const std::string& path) {
@@ -110,16 +120,17 @@ std::vector<SurveyedScene> without(const std::vector<SurveyedScene>& survey, con
 
 std::string survey_text(const Store& store) {
     std::string text = fmt::format(
-        "# What refinement changes and costs on shipped scenes: means over lattices. Made by\n"
-        "#   runout accuracy CASE --db DB   for each case, and   runout accuracy --db DB --survey FILE\n"
-        "# with Runout {} (revision {}) on {}, one thread.\nscene,lattices",
+        "# What refinement changes and costs: means over lattices. Made by\n"
+        "#   runout accuracy CASE --db DB   or   runout accuracy --slopes N --seed S --db DB\n"
+        "# and   runout accuracy --db DB --survey FILE   with Runout {} (revision {}) on {}, one thread.\n"
+        "scene,lattices",
         program_version(), program_revision(), machine_description());
     for (const Column& column : columns) text += fmt::format(",{}", column.name);
     text += "\n";
     for (const AccuracyStudy& study : read_studies(store)) {
-        for (RungSummary rung : study.ladder.rungs) {
-            const bool whole = rung.results > 0 && std::isfinite(rung.values[1].mean);
-            if (!whole) continue;
+        const std::vector<RungSummary> rungs = whole_rungs(study.ladder);
+        if (rungs.size() < least_rungs || !(rungs.back().values[0].mean > 0)) continue;
+        for (RungSummary rung : rungs) {
             text += fmt::format("{},{}", csv_cell(study.name), rung.results);
             for (const Column& column : columns) text += fmt::format(",{:.6g}", column.value(rung));
             text += "\n";

@@ -22,6 +22,7 @@
 #include "program/patient_store.h"
 #include "report/chart/svg_chart.h"
 #include "report/page/accuracy_page.h"
+#include "report/text/coverage_text.h"
 #include "report/text/ladder_text.h"
 #include "scene/input_files.h"
 #include "scene/scene.h"
@@ -162,13 +163,18 @@ int survey_slopes(const AccuracyArguments& arguments) {
     options.finest = options.at_least_to = arguments.at_least_to > 0 ? arguments.at_least_to : usual_finest;
     options.interrupt = &interrupt.requested();
     int done = 0;
+    std::vector<AccuracyStudy> studies;
     for (const Scene& scene : random_slopes(arguments.slopes, arguments.seed)) {
-        const Ladder ladder = climb(scene, store, options);
+        Ladder ladder = climb(scene, store, options);
+        if (arguments.check && !interrupt.requested())
+            check_choices(scene, ladder, store, arguments.budget_s, &interrupt.requested());
         if (interrupt.requested()) return exit_code::interrupted;
         store.add(describe_ladder(scene, ladder));
+        if (arguments.check) studies.push_back(read_study(describe_ladder(scene, ladder), store));
         log_info("{} of {}: {}, {} rungs; {}", ++done, arguments.slopes, scene.name, ladder.rungs.size(),
                  ladder.ended);
     }
+    if (arguments.check) print_text(coverage_table(studies));
     return exit_code::success;
 }
 
