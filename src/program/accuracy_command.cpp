@@ -203,6 +203,9 @@ void write_page(const AccuracyArguments& arguments, const Store& store) {
 
 int accuracy(AccuracyArguments arguments) {
     if (arguments.quiet) log_errors_only();
+    if (arguments.slopes > 0 && !arguments.scenario.file.empty())
+        throw InputError(option_place("--slopes", fmt::format("{}", arguments.slopes)),
+                         "goes without FILE: the slopes are drawn at random", "leave out one of them");
     arguments.rules.taken = taken_by(arguments);
     check_places(arguments);
     const bool from_store = !arguments.page.empty() || !arguments.survey.empty();

@@ -1,5 +1,7 @@
 // Running and listing: help, the main job, what accuracy costs, the source alone, the table of runs.
 
+#include <SQLiteCpp/Database.h>
+
 #include <chrono>
 #include <thread>
 
@@ -268,6 +270,28 @@ TEST_F(ProgramTest, ShowsWhatAccuracyCostsAndUsesItForTheNextRun) {
 }
 
 // --- source and table
+
+TEST_F(ProgramTest, ASurveyOfRandomSlopesGoesOnWhereItWasAndTellsItsCoverage) {
+    const Arguments survey = {"accuracy", "--slopes",   "2", "--seed", "3",         "--finest", "16",
+                              "--check",  "--lattices", "2", "--db",   "slopes.db", "--budget", "1"};
+    const auto count = [&](const std::string& of) {
+        return SQLite::Database(work("slopes.db").string()).execAndGet("SELECT count(*) FROM " + of).getInt();
+    };
+    const Outcome first = runout(survey);
+    EXPECT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_TRUE(contains(first.err, "2 of 2: ")) << first.err;
+    EXPECT_TRUE(contains(first.out, "target   runs    inside")) << first.out;
+    EXPECT_TRUE(contains(first.out, "10 %")) << first.out;
+    EXPECT_EQ(count("ladder_run WHERE series = 'spacing'"), 2 * 3 * 2) << "scenes, rungs, lattices";
+    const int runs = count("run");
+    EXPECT_EQ(runout({"accuracy", "--slopes", "2", "--seed", "3", "--finest", "16", "--lattices", "2", "--db",
+                      "slopes.db", "--survey", "survey.csv"})
+                  .exit_code,
+              0);
+    EXPECT_EQ(count("run"), runs) << "the same runs again";
+    EXPECT_TRUE(contains(text_of(work("survey.csv")), "scene,lattices,resolution"));
+    expect_refused({"accuracy", "case.toml", "--slopes", "2"}, {"--slopes = 2", "without FILE"});
+}
 
 TEST_F(ProgramTest, PrintsTheSourceOnly) {
     const std::set<std::string> before = files();
