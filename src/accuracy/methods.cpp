@@ -75,7 +75,7 @@ std::vector<MethodSetting> method_settings(double resolution) {
     for (const double tolerance : {0.1, 0.03, 1e-3, 1e-5})
         settings.push_back(number_setting("run.pressure_tolerance", tolerance, resolution,
                                           &RunSettings::pressure_tolerance));
-    for (const double ratio : {1.1, 1.2, 1.5, 1.8})
+    for (const double ratio : {1.15, 1.5, 1.8})
         settings.push_back(
             number_setting("run.smoothing_ratio", ratio, resolution, &RunSettings::smoothing_ratio));
     for (int index = 0; rung_resolution(index) <= resolution; ++index)

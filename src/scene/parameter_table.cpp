@@ -234,10 +234,10 @@ std::vector<Parameter> numerical_run_parameters() {
         number("run.particle_spacing_m", "m", positive, "chosen to meet run.accuracy",
                "Distance between particles; excludes run.resolution.",
                [](CaseSpec& spec, double metres) { spec.run.particle_spacing = metres; }),
-        number("run.courant", "", between(0.001, 0.5), "0.2",
+        number("run.courant", "", between(0.001, 0.4), "0.2",
                "C_max: no particle moves further than this share of the spacing in a step.",
                [](CaseSpec& spec, double courant) { spec.run.courant = courant; }),
-        number("run.smoothing_ratio", "", between(1, 2), "1.3", "Smoothing length over particle spacing.",
+        number("run.smoothing_ratio", "", between(1.15, 2), "1.3", "Smoothing length over particle spacing.",
                [](CaseSpec& spec, double ratio) { spec.run.smoothing_ratio = ratio; }),
         word("run.friction", {"projected", "explicit"}, "projected",
              "projected: the yield condition as a constraint, comes to rest; explicit: the paper as printed, "

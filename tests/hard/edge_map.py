@@ -4,7 +4,7 @@
     tests/hard/edge_map.py [--runout build/release/src/runout] [--jobs 2]
 
 One knob at a time, all others at their defaults: forty random scenes of about 100 particles, and the shipped scenes at
-sqrt(S)/dl = 32 and 64. An hour of one core.
+sqrt(S)/dl = 32 and 64. Half an hour of one core.
 """
 
 import argparse
@@ -20,11 +20,18 @@ SCENES = ["aluminium-column", "box-45", "box-70", "soil-cut-60", "fig15"]
 RESOLUTIONS = [32, 64]
 SETTINGS = [
     None,
-    *[("courant", v) for v in (0.1, 0.3, 0.4, 0.5)],
+    *[("courant", v) for v in (0.1, 0.3, 0.4)],
     *[("friction_iterations", v) for v in (1, 3, 12)],
-    *[("smoothing_ratio", v) for v in (1, 1.05, 1.15, 1.5, 2)],
+    *[("smoothing_ratio", v) for v in (1.15, 1.5, 2)],
     *[("pressure_tolerance", v) for v in (0.001, 0.1)],
 ]
+# What is dear at 64: only what may lose stability.
+COARSE_ONLY = [("courant", 0.1), ("friction_iterations", 3), ("friction_iterations", 12), ("smoothing_ratio", 1.5),
+               ("pressure_tolerance", 0.001)]
+
+
+def settings_at(place):
+    return [s for s in SETTINGS if place != 64 or s not in COARSE_ONLY]
 
 
 def set_options(setting):
@@ -46,7 +53,7 @@ def read(database):
     with sqlite3.connect(database) as stored:
         endings = Counter(row[0] for row in stored.execute("SELECT status FROM run"))
         worst = dict(stored.execute("SELECT invariant, max(worst) FROM invariant GROUP BY invariant"))
-        run_out = dict(stored.execute("SELECT name, run_out_m FROM run JOIN result USING (run_id)"))
+        run_out = dict(stored.execute("SELECT run.name, run_out_m FROM run JOIN result USING (run_id)"))
     return endings, worst["energy_rise"], worst["density"], run_out
 
 
@@ -76,13 +83,13 @@ def main():
     asked = options.parse_args()
     places = ["random", *RESOLUTIONS]
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
-        found = {(s, p): pool.submit(measure, asked.runout, s, p) for p in places for s in SETTINGS}
+        found = {(s, p): pool.submit(measure, asked.runout, s, p) for p in places for s in settings_at(p)}
         for place in places:
             print(f"\n{'Random scenes' if place == 'random' else f'Shipped scenes at {place}'}\n")
             print("| setting | how the runs ended | rise of energy / (M g H) | excess of density | run-out, % |")
             print("|---|---|---:|---:|---:|")
             base = found[None, place].result()[3]
-            for setting in SETTINGS:
+            for setting in settings_at(place):
                 endings, energy, density, run_out = found[setting, place].result()
                 name = "the defaults" if setting is None else f"`{setting[0]} = {setting[1]}`"
                 ended = ", ".join(f"{word} {count}" for word, count in sorted(endings.items()))

@@ -111,9 +111,9 @@ TEST(Parameters, RangesIncludeTheEndsTheySayTheyInclude) {
     EXPECT_TRUE(accepts("run.resolution", "2000"));
     EXPECT_FALSE(accepts("run.resolution", "3.999"));
     EXPECT_FALSE(accepts("run.resolution", "2001"));
-    EXPECT_TRUE(accepts("run.courant", "0.5"));
+    EXPECT_TRUE(accepts("run.courant", "0.4"));
     EXPECT_FALSE(accepts("run.courant", "0"));
-    EXPECT_FALSE(accepts("run.courant", "0.51"));
+    EXPECT_FALSE(accepts("run.courant", "0.41"));
     EXPECT_FALSE(accepts("run.particle_spacing_m", "0"));
     EXPECT_FALSE(accepts("source.area_m2", "-3"));
     EXPECT_TRUE(accepts("section.toe_chainage_m", "-831450.25"));
