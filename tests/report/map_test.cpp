@@ -206,6 +206,7 @@ TEST_F(ResultMapTest, PlacesAndIntensitiesLieOnTheLine) {
     EXPECT_EQ(std::get<long>(value(places[0], "reached")), 1);
     EXPECT_EQ(std::get<double>(value(places[0], "greatest_thickness_m")), 0.5);
     EXPECT_EQ(std::get<long>(value(places[1], "reached")), 0);
+    EXPECT_EQ(std::get<long>(value(places[1], "within_error")), 0);
     EXPECT_EQ(places[1].points.size(), 3u) << "a bar across the line";
     const auto& stretches = layer(made, "intensity").features;
     ASSERT_EQ(stretches.size(), 2u);

@@ -239,7 +239,15 @@ TEST_F(RunPageTest, ShowsErrorBarsAdviceAndPlacesThatAreStored) {
     EXPECT_EQ(numerical_error_words(run), "run-out ± 0.42 m; from four lattices");
     EXPECT_TRUE(contains(answer_section(run).body, "± 0.42"));
     EXPECT_TRUE(contains(warnings_section(run).body, "rate may matter"));
+    PlaceRecord house;
+    house.name = "house <1>";
+    house.chainage_m = run.run.toe_chainage_m + run.run.measures.farthest_front_m + 0.25;
+    house.arrival_time_s = std::nan("");
+    run.run.places = {house};
+    run.run.appraisal.run_out_error_m = 0.42;
     const PageSection places = places_section(run);
+    EXPECT_TRUE(
+        contains(places.body, "not reached, but 0.25 m beyond the front is within its error of +-0.42 m"));
     EXPECT_TRUE(contains(places.body, "house &lt;1&gt;"));
     ASSERT_EQ(places.charts.size(), 2u);
     EXPECT_EQ(places.charts[0].figure.curves.at(0).points, (Polyline{{1, 0.25}, {2, 0.5}}));

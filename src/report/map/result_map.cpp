@@ -8,6 +8,7 @@
 #include "core/input_error.h"
 #include "report/map/map_styles.h"
 #include "report/text/intensity.h"
+#include "report/text/place_doubt.h"
 
 namespace runout {
 namespace {
@@ -214,6 +215,9 @@ MapLayer place_layer(const MapRuns& runs, const MapMetric& metric) {
             feature.attributes.push_back(
                 {"reached",
                  known ? FieldValue(std::isfinite(place.arrival_time_s) ? 1L : 0L) : FieldValue()});
+            feature.attributes.push_back(
+                {"within_error",
+                 known ? FieldValue(place_doubt(run.run, place).within_error() ? 1L : 0L) : FieldValue()});
             add("arrival_time_s", place.arrival_time_s);
             add("greatest_thickness_m", place.greatest_thickness_m);
             add("greatest_speed_m_s", place.greatest_speed_m_s);
