@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include "example_run.h"
 #include "report/text/place_doubt.h"
 #include "report/text/reach_text.h"
+#include "report/text/run_out_table.h"
 #include "report/text/table.h"
 #include "store/columns.h"
 
@@ -349,6 +351,35 @@ TEST(RunTable, MarksTheFormerDefinitionOfTheFront) {
     EXPECT_FALSE(has(run_table({slope_run()}, TableFormat::text), "former"));
     EXPECT_TRUE(has(run_summary(old), "former definition"));
     EXPECT_EQ(Json::parse(run_json(old)).at("front_definition"), "top");
+}
+
+// ---- tables of studies
+
+// Labels of all scenarios were gathered anew for each row: 10,000 rows took more than ten minutes. This many
+// would run into the time limit of a test.
+TEST(RunOutTable, TellsTwentyThousandRowsByNumberThenByColumn) {
+    constexpr long count = 20000;
+    std::vector<StudyRow> rows;
+    for (long i = 0; i < count; ++i) {
+        StudyRow row;
+        row.scenario.index = i;
+        row.scenario.inputs = fmt::format(R"({{"run.lattice_seed": {}}})", count / 2 - i / 2 - 1);
+        row.run_id = i + 1;
+        row.is_result = true;
+        row.status = "settled";
+        row.source_type = i % 2 == 0 ? "box" : "B";
+        row.run_out_m = static_cast<double>(i);
+        rows.push_back(row);
+    }
+    const RunOutTableOptions layout{.rows = "run.lattice_seed", .columns = "source_type"};
+    const auto lines = lines_of(run_out_table("many", rows, layout, RunOutTableFormat::csv));
+    ASSERT_EQ(lines.size(), count + 1);
+    EXPECT_TRUE(lines[1].starts_with("0,B,1,19999"));
+    EXPECT_TRUE(lines[2].starts_with("0,box,1,19998"));
+    EXPECT_TRUE(lines[3].starts_with("1,B,1,19997"));
+    EXPECT_TRUE(lines[21].starts_with("10,B,")) << "after 9, not after 1";
+    EXPECT_EQ(Json::parse(run_out_table("many", rows, layout, RunOutTableFormat::json)).at("cells").size(),
+              count);
 }
 
 // ---- places
