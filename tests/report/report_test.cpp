@@ -371,7 +371,7 @@ TEST(RunOutTable, TellsTwentyThousandRowsByNumberThenByColumn) {
         row.run_out_m = static_cast<double>(i);
         rows.push_back(row);
     }
-    const RunOutTableOptions layout{.rows = "run.lattice_seed", .columns = "source_type"};
+    const RunOutTableOptions layout{.rows = "run.lattice_seed", .columns = "source_type", .distances = {}};
     const auto lines = lines_of(run_out_table("many", rows, layout, RunOutTableFormat::csv));
     ASSERT_EQ(lines.size(), count + 1);
     EXPECT_TRUE(lines[1].starts_with("0,B,1,19999"));
