@@ -191,9 +191,11 @@ void check_on_ground(const CaseSpec& spec, const Site& site, const Place& place,
     const double source_end = end_of(site.source);
     const double end_chainage = site.profile.to_section({source_end, 0}).x();
     if (place.x < source_end - rounding)
-        throw InputError(spec.place(from_map ? "places.file" : "place.chainage_m"),
-                         fmt::format("puts {} into the source or uphill of it", place.name),
-                         fmt::format("the source ends at chainage {:.6g} m", end_chainage));
+        throw InputError(
+            spec.place(from_map ? "places.file" : "place.chainage_m"),
+            fmt::format("puts {} into the source or uphill of it", place.name),
+            fmt::format("the source ends at chainage {:.6g} m{}", end_chainage,
+                        from_map ? "; leave it out by places.where or places.max_offset_m" : ""));
     const double last = site.profile.ground.back().x();
     if (place.x + place.width > last)
         throw InputError(spec.place(from_map ? "places.file" : "place.width_m"),

@@ -241,6 +241,7 @@ TEST_F(MapPlaces, ThatCannotBeAreWrongInput) {
     layer("source.gpkg",
           {{"POLYGON ((834005 816000, 834030 816000, 834030 816010, 834005 816000))", "mansion"}});
     EXPECT_TRUE(has_part(refusal("[places]\nfile = \"source.gpkg\"\n"), "puts mansion into the source"));
+    EXPECT_TRUE(has_part(refusal("[places]\nfile = \"source.gpkg\"\n"), "leave it out by places.where"));
     layer("end.gpkg", {{"POLYGON ((834120 816000, 834130 816000, 834130 816010, 834120 816000))", "mill"}});
     EXPECT_TRUE(has_part(refusal("[places]\nfile = \"end.gpkg\"\n"), "ends mill beyond the section"));
     layer("lost.shp", {{"POINT (834060 816010)", "tap"}}, "", "ESRI Shapefile");
