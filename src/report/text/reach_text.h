@@ -18,12 +18,6 @@ struct ReachSummary {
     std::vector<ReachDistance> thickness_m, speed_m_s;
 };
 
-/// A table of classes, and where it comes from.
-struct Intensities {
-    std::vector<IntensityClass> classes;
-    std::string origin;
-};
-
 ReachSummary summary_of(const std::vector<ReachRow>& rows);
 
 /// A few lines for people on one run.
