@@ -60,8 +60,9 @@ OGRLayer& only_layer_with_lines(GDALDataset& data, const LineQuery& query) {
                      "name one of " + names_of(candidates));
 }
 
-/// A virtual table computes its rows, from other files if it likes, and SQLite keeps no pages for it.
-void refuse_virtual_table(GDALDataset& data, OGRLayer& layer, const LineQuery& query) {
+}  // namespace
+
+void refuse_virtual_table(GDALDataset& data, OGRLayer& layer, const InputPlace& place) {
     if (data.GetDriver() == nullptr || !EQUAL(data.GetDriver()->GetDescription(), "GPKG")) return;
     std::string name;
     for (const char letter : std::string(layer.GetName()))
@@ -74,12 +75,9 @@ void refuse_virtual_table(GDALDataset& data, OGRLayer& layer, const LineQuery& q
     const bool is_virtual = OGRFeatureUniquePtr(answer->GetNextFeature()) != nullptr;
     data.ReleaseResultSet(answer);
     if (is_virtual)
-        throw InputError({query.file, 0, "section.layer", layer.GetName()},
-                         "is a virtual table, which computes its rows",
-                         "save the lines as a layer of their own");
+        throw InputError(place, "is a virtual table, which computes its rows",
+                         "save it as a layer of its own");
 }
-
-}  // namespace
 
 OGRLayer& layer_of(GDALDataset& data, const LineQuery& query) {
     if (data.GetLayerCount() == 0)
@@ -89,7 +87,7 @@ OGRLayer& layer_of(GDALDataset& data, const LineQuery& query) {
     if (layer == nullptr)
         throw InputError({query.file, 0, "section.layer", query.layer}, "is not a layer of this file",
                          "name one of " + names_of(all_layers(data)));
-    refuse_virtual_table(data, *layer, query);
+    refuse_virtual_table(data, *layer, {query.file, 0, "section.layer", layer->GetName()});
     return *layer;
 }
 

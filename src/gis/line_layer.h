@@ -12,4 +12,8 @@ namespace runout {
 /// several.
 OGRLayer& layer_of(GDALDataset& data, const LineQuery& query);
 
+/// A virtual table computes its rows, from other files if it likes, and SQLite keeps no pages for it. Throws
+/// InputError at `place`.
+void refuse_virtual_table(GDALDataset& data, OGRLayer& layer, const InputPlace& place);
+
 }  // namespace runout

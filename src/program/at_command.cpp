@@ -35,22 +35,13 @@ bool is_on_its_section(const ReachRow& row, double chainage) {
     return chainage >= row.section_from_m && chainage <= row.section_to_m;
 }
 
-Intensities intensities_of(const AtArguments& arguments) {
-    if (arguments.intensities.empty()) return {usual_intensities(), usual_intensities_origin()};
-    Intensities given{{}, "Classes as given by --intensity."};
-    for (const std::string& text : arguments.intensities)
-        given.classes.push_back(intensity_from(text, "--intensity"));
-    check_intensities_rise(given.classes, "--intensity");
-    return given;
-}
-
 int at_one_run(const AtArguments& arguments, const Store& store) {
     ReachQuestion question{.chainage_m = arguments.chainage};
     question.run_id = store.run(chosen_run(store, arguments.choice)).run_id;
     const ReachRow row = store.reach(question).at(0);
     if (!is_on_its_section(row, arguments.chainage))
         throw off_the_section(arguments, row.section_from_m, row.section_to_m);
-    const Intensities classes = intensities_of(arguments);
+    const Intensities classes = intensities_from(arguments.intensities, "--intensity");
     if (arguments.json)
         print_json(reach_json(row, arguments.chainage, classes));
     else
@@ -111,11 +102,7 @@ void add_at_command(CommandLine& program) {
         .value_name("FILE")
         .excludes("--run")
         .excludes("--study");
-    command
-        .add_option("--intensity", &arguments->intensities,
-                    "A class of intensity, thicker and faster than this; the least first (docs/front.md)")
-        .value_name("NAME=m,m/s")
-        .one_value_a_use();
+    add_intensity_option(command, arguments->intensities);
     command.add_flag("--json", &arguments->json, "Print the answer as one JSON object");
     command.set_work([arguments] { return at(*arguments); });
 }

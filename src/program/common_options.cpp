@@ -29,6 +29,14 @@ void add_jobs_option(Command& command, int& jobs) {
     add_number_option(command, "-j,--jobs", jobs, "Runs at a time, each on one thread", {1, 1024});
 }
 
+CommandOption add_intensity_option(Command& command, std::vector<std::string>& classes) {
+    return command
+        .add_option("--intensity", &classes,
+                    "A class of intensity, thicker and faster than this; the least first (docs/front.md)")
+        .value_name("NAME=m,m/s")
+        .one_value_a_use();
+}
+
 void add_overwrite_option(Command& command, OutputRules& rules) {
     command
         .add_flag("--overwrite", &rules.overwrite,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/input_error.h"
 #include "core/output_file.h"
@@ -25,6 +26,9 @@ int default_jobs();
 
 /// `-j, --jobs`: how many runs go on at a time, each on one thread.
 void add_jobs_option(Command& command, int& jobs);
+
+/// `--intensity`: a class each, read by intensities_from.
+CommandOption add_intensity_option(Command& command, std::vector<std::string>& classes);
 
 /// `--overwrite`: files that the rules would spare may be replaced.
 void add_overwrite_option(Command& command, OutputRules& rules);

@@ -18,12 +18,14 @@ struct MapArguments {
     std::string output;
     std::string crs;
     MapOptions options;
+    std::vector<std::string> intensities;
     OutputRules rules{};
 };
 
 int make_map(MapArguments arguments) {
     arguments.rules.taken = database_files(arguments.database);
     check_map_path(arguments.output, arguments.crs, arguments.rules);
+    arguments.options.intensities = intensities_from(arguments.intensities, "--intensity");
     const ResultMap map = result_map(Store(arguments.database, Store::Mode::read), arguments.options);
     write_map(arguments.output, map.sheet, arguments.crs, arguments.rules);
     for (const std::string& remark : map.remarks) log_warning("{}", remark);
@@ -53,6 +55,7 @@ void add_map_command(CommandLine& program) {
         .value_name("m");
     command.add_flag("--every-run", &arguments->options.every_run,
                      "Not only the finest run of each question");
+    add_intensity_option(command, arguments->intensities);
     add_overwrite_option(command, arguments->rules);
     command.set_work([arguments] { return make_map(*arguments); });
 }

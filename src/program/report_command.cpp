@@ -20,6 +20,7 @@ struct ReportArguments {
     std::string output = "report.html";
     std::optional<long> section_id;
     std::string study;
+    std::vector<std::string> intensities;
     OutputRules rules{};
     double width = std::numeric_limits<double>::quiet_NaN();
 };
@@ -40,7 +41,9 @@ std::string page_of(const Store& store, const ReportArguments& arguments) {
         const std::vector<StoredRun> runs = store.runs_on_section(*arguments.section_id);
         return study_page("Runs on " + runs.back().section_origin, runs);
     }
-    return run_page(read_run_data(store, chosen_run(store, arguments.choice)), arguments.width);
+    RunData run = read_run_data(store, chosen_run(store, arguments.choice));
+    run.intensities = intensities_from(arguments.intensities, "--intensity");
+    return run_page(run, arguments.width);
 }
 
 int report(ReportArguments arguments) {
@@ -69,6 +72,7 @@ void add_report_command(CommandLine& program) {
         .excludes("--section");
     add_width_option(command, arguments->width);
     command.add_option("-o,--output", &arguments->output, "The page").value_name("PATH").show_default();
+    add_intensity_option(command, arguments->intensities).excludes("--section").excludes("--study");
     add_overwrite_option(command, arguments->rules);
     command.set_work([arguments] { return report(*arguments); });
 }

@@ -39,7 +39,7 @@ struct Companions {
     std::string_view needs;
 };
 
-constexpr std::array<Companions, 42> companions = {{
+constexpr std::array<Companions, 48> companions = {{
     {"section.columns", "section.file"},
     {"section.decimal", "section.file"},
     {"section.raster", "section.line"},
@@ -82,6 +82,12 @@ constexpr std::array<Companions, 42> companions = {{
     {"place.name", "place.chainage_m"},
     {"place.width_m", "place.chainage_m"},
     {"place.kind", "place.chainage_m"},
+    {"places.layer", "places.file"},
+    {"places.where", "places.file"},
+    {"places.crs", "places.file"},
+    {"places.name_field", "places.file"},
+    {"places.kind_field", "places.file"},
+    {"places.max_offset_m", "places.file"},
 }};
 
 /// "run.resolution (case.toml, line 12)"

@@ -296,8 +296,8 @@ class CaseReader {
 void resolve_paths(CaseSpec& spec) {
     const fs::path folder = fs::path(spec.file).parent_path();
     SectionSpec& section = spec.section;
-    for (std::string* path :
-         {&section.file, &section.map.raster, &section.map.line.file, &spec.shaking_record})
+    for (std::string* path : {&section.file, &section.map.raster, &section.map.line.file,
+                              &spec.map_places.file, &spec.shaking_record})
         if (!path->empty()) *path = (folder / *path).lexically_normal().string();
 }
 

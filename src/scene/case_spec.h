@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/input_error.h"
+#include "gis/near_features.h"
 #include "gis/placed_line.h"
 #include "profile/profile.h"
 #include "profile/section_file.h"
@@ -36,6 +37,7 @@ struct CaseSpec {
     std::string shaking_record;  ///< file
     Vec2 pseudo_static{0, 0};    ///< force on the soil over its weight, towards the run-out and upwards
     std::vector<Place> places;   ///< x: chainage still, NaN: not given
+    FeatureQuery map_places;     ///< [places]: features of a map that are places as well; no file: none
     RunSettings run;
     std::string accuracy = "5%";  ///< of the run-out, for choosing a spacing that is not given
 

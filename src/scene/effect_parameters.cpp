@@ -199,6 +199,27 @@ std::vector<Parameter> place_parameters() {
     };
 }
 
+std::vector<Parameter> map_place_parameters() {
+    return {
+        word("places.file", {}, "none",
+             "Points, lines or polygons (GDAL) on a map; those near the section line are places.",
+             [](CaseSpec& spec, const std::string& path) { spec.map_places.file = path; }),
+        word("places.layer", {}, "the only one", "Layer of places.file.",
+             [](CaseSpec& spec, const std::string& name) { spec.map_places.layer = name; }),
+        word("places.where", {}, "all features", "Which features: a condition on their fields.",
+             [](CaseSpec& spec, const std::string& condition) { spec.map_places.where = condition; }),
+        word("places.crs", {}, "as the file says",
+             "Coordinate system of places.file, such as EPSG:2326, where it names none or a wrong one.",
+             [](CaseSpec& spec, const std::string& name) { spec.map_places.crs = name; }),
+        word("places.name_field", {}, "name, where there is one", "Field with the name of a place.",
+             [](CaseSpec& spec, const std::string& name) { spec.map_places.name_field = name; }),
+        word("places.kind_field", {}, "kind, where there is one", "Field that says what a place is.",
+             [](CaseSpec& spec, const std::string& name) { spec.map_places.kind_field = name; }),
+        number("places.max_offset_m", "m", positive, "50", "How far from the section line a place may lie.",
+               [](CaseSpec& spec, double metres) { spec.map_places.max_offset_m = metres; }),
+    };
+}
+
 }  // namespace
 
 bool is_list_section(std::string_view section) {
@@ -215,9 +236,10 @@ void begin_entry(CaseSpec& spec, std::string_view section) {
 
 std::vector<Parameter> effect_parameters() {
     std::vector<Parameter> table;
-    for (const auto& part : {base_friction_parameters(), strength_parameters(), water_parameters(),
-                             barrier_parameters(), shaking_parameters(), channel_parameters(),
-                             release_parameters(), bed_parameters(), place_parameters()})
+    for (const auto& part :
+         {base_friction_parameters(), strength_parameters(), water_parameters(), barrier_parameters(),
+          shaking_parameters(), channel_parameters(), release_parameters(), bed_parameters(),
+          place_parameters(), map_place_parameters()})
         table.insert(table.end(), part.begin(), part.end());
     return table;
 }

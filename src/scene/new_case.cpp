@@ -33,8 +33,8 @@ struct Setting {
 };
 using Settings = std::vector<Setting>;
 
-constexpr std::array<std::string_view, 4> path_keys = {"section.file", "section.line", "section.raster",
-                                                       "effects.shaking.record"};
+constexpr std::array<std::string_view, 5> path_keys = {"section.file", "section.line", "section.raster",
+                                                       "places.file", "effects.shaking.record"};
 
 bool says_source(const CaseSpec& spec) {
     return std::ranges::any_of(spec.given,

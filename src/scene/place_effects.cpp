@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "scene/make_problem.h"
+#include "scene/places_on_map.h"
 #include "scene/shaking_record.h"
 #include "source/polygon_place.h"
 
@@ -185,23 +186,26 @@ Effects place_effects(const CaseSpec& spec, const Site& site) {
 namespace {
 
 /// Of the near and the far edge.
-void check_on_ground(const CaseSpec& spec, const Site& site, const Place& place) {
+void check_on_ground(const CaseSpec& spec, const Site& site, const Place& place, bool from_map) {
     constexpr double rounding = 1e-9;
     const double source_end = end_of(site.source);
     const double end_chainage = site.profile.to_section({source_end, 0}).x();
     if (place.x < source_end - rounding)
-        throw InputError(spec.place("place.chainage_m"),
-                         fmt::format("puts {} into the source or uphill of it", place.name),
-                         fmt::format("the source ends at chainage {:.6g} m", end_chainage));
+        throw InputError(
+            spec.place(from_map ? "places.file" : "place.chainage_m"),
+            fmt::format("puts {} into the source or uphill of it", place.name),
+            fmt::format("the source ends at chainage {:.6g} m{}", end_chainage,
+                        from_map ? "; leave it out by places.where or places.max_offset_m" : ""));
     const double last = site.profile.ground.back().x();
     if (place.x + place.width > last)
-        throw InputError(spec.place("place.width_m"), fmt::format("ends {} beyond the section", place.name),
+        throw InputError(spec.place(from_map ? "places.file" : "place.width_m"),
+                         fmt::format("ends {} beyond the section", place.name),
                          fmt::format("valid: up to {:.6g} m", last - place.x));
 }
 
 }  // namespace
 
-std::vector<Place> located_places(const CaseSpec& spec, const Site& site) {
+std::vector<Place> located_places(const CaseSpec& spec, Site& site) {
     const Profile& profile = site.profile;
     std::vector<Place> places = spec.places;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -211,7 +215,7 @@ std::vector<Place> located_places(const CaseSpec& spec, const Site& site) {
                              "give its chainage in metres");
         places[i].x = place_x(spec, profile, "place.chainage_m", places[i].x);
         if (places[i].name.empty()) places[i].name = fmt::format("place-{}", i + 1);
-        check_on_ground(spec, site, places[i]);
+        check_on_ground(spec, site, places[i], false);
         const auto end = places.begin() + static_cast<std::ptrdiff_t>(i);
         const auto same = std::ranges::find(places.begin(), end, places[i].name, &Place::name);
         if (same != end)
@@ -219,6 +223,10 @@ std::vector<Place> located_places(const CaseSpec& spec, const Site& site) {
                              fmt::format("names [[place]] {} and {} alike: {}", same - places.begin() + 1,
                                          i + 1, places[i].name),
                              "give each a name of its own");
+    }
+    for (Place& place : places_on_map(spec, site, places)) {
+        check_on_ground(spec, site, place, true);
+        places.push_back(std::move(place));
     }
     return places;
 }

@@ -13,6 +13,6 @@ Effects place_effects(const CaseSpec& spec, const Site& site);
 
 /// The places of the case, named and placed. Throws InputError when one has no chainage or is not on the
 /// section.
-std::vector<Place> located_places(const CaseSpec& spec, const Site& site);
+std::vector<Place> located_places(const CaseSpec& spec, Site& site);
 
 }  // namespace runout

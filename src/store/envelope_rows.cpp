@@ -108,7 +108,7 @@ std::string reach_sql(const ReachQuestion& question) {
         " section.toe_chainage_m, section.descends_with_chainage,"
         " (SELECT min(x_m) FROM section_point WHERE section_point.section_id = section.section_id),"
         " (SELECT max(x_m) FROM section_point WHERE section_point.section_id = section.section_id),"
-        " measure.run_out_m, measure.farthest_front_m, measure.front_thickness_m,"
+        " measure.run_out_m, measure.farthest_front_m, measure.front_thickness_m, run.run_out_error_m,"
         " envelope.run_id IS NOT NULL, envelope.first_m, envelope.step_m, {}"
         " FROM {} JOIN run_status ON run_status.status = run.status"
         " JOIN measure ON measure.run_id = run.run_id"
@@ -137,6 +137,7 @@ ReachRow read_row(const SQLite::Statement& statement, double chainage) {
     row.run_out_m = real_value(statement.getColumn(place++));
     row.farthest_front_m = real_value(statement.getColumn(place++));
     row.front_thickness_m = real_value(statement.getColumn(place++));
+    row.run_out_error_m = real_value(statement.getColumn(place++));
     for (const EnvelopeColumn& column : columns) row.*column.value = unknown;
     if (statement.getColumn(place++).getInt() != 0) answer(row, read_envelope(statement, place, row.run_id));
     return row;

@@ -31,6 +31,7 @@ struct ReachRow {
     double from_toe_m = 0;                        ///< horizontally, of the place; negative uphill
     double section_from_m = 0, section_to_m = 0;  ///< least and greatest chainage of its section
     double run_out_m = 0, farthest_front_m = 0, front_thickness_m = 0;
+    double run_out_error_m = 0;  ///< numerical, 95 %
     bool has_envelope = false;
     bool arrival_is_bound = false;  ///< it arrives then or later: the next node is not reached
     double greatest_thickness_m = 0, greatest_speed_m_s = 0, greatest_kinetic_head_m = 0,

@@ -60,6 +60,12 @@ TEST_F(ProgramTest, EveryOutputSaysAlikeWhatIsReached) {
     }();
     EXPECT_TRUE(contains(page, "What passed along the section"));
     EXPECT_TRUE(contains(page, "Intensity along the section"));
+    (void)runout({"report", "v.db", "-o", "own.html", "--intensity", "grave=0.001,0.1"});
+    EXPECT_TRUE(contains(text_of(work("own.html")), "grave"));
+    EXPECT_TRUE(contains(text_of(work("own.html")), "Classes as given by --intensity."));
+    EXPECT_FALSE(contains(page, "grave"));
+    for (const char* command : {"report", "map"})
+        expect_refused({command, "v.db", "-o", "no.gpkg", "--intensity", "high=1"}, {"--intensity"});
 }
 
 /// A run on a section of tests/field, source B, as one would from the command line.

@@ -206,6 +206,7 @@ TEST_F(ResultMapTest, PlacesAndIntensitiesLieOnTheLine) {
     EXPECT_EQ(std::get<long>(value(places[0], "reached")), 1);
     EXPECT_EQ(std::get<double>(value(places[0], "greatest_thickness_m")), 0.5);
     EXPECT_EQ(std::get<long>(value(places[1], "reached")), 0);
+    EXPECT_EQ(std::get<long>(value(places[1], "within_error")), 0);
     EXPECT_EQ(places[1].points.size(), 3u) << "a bar across the line";
     const auto& stretches = layer(made, "intensity").features;
     ASSERT_EQ(stretches.size(), 2u);
@@ -214,6 +215,26 @@ TEST_F(ResultMapTest, PlacesAndIntensitiesLieOnTheLine) {
     const double from = std::get<double>(value(stretches[1], "from_m"));
     EXPECT_NEAR(from, -3.5 + 1.5 * 0.7, 1e-12) << "halfway between two nodes";
     EXPECT_LT((stretches[1].points.front() - point_at(place.line, place.toe_chainage_m + from)).norm(), 1e-6);
+}
+
+TEST_F(ResultMapTest, IntensitiesAreOfTheClassesThatAreAskedFor) {
+    RunResult result = result_with(RunStatus::settled, 9);
+    result.measures.front_thickness_m = 0.2;
+    result.envelope.greatest_thickness_m = {0.1, 0.5, 1.5};
+    result.envelope.greatest_speed_m_s = {3.0, 3.0, 2.0};
+    add(scene_on(line_at(834000, "A")), result);
+    MapOptions options;
+    options.intensities = intensities_from({"low=0,0", "middle=0.4,1", "grave <1>=1,1"}, "--intensity");
+    const ResultMap made = result_map(Store(database(), Store::Mode::read), options);
+    const MapLayer& drawn = layer(made, "intensity");
+    EXPECT_EQ(drawn.title, "Classes as given by --intensity.");
+    ASSERT_EQ(drawn.features.size(), 2u);
+    EXPECT_EQ(std::get<std::string>(value(drawn.features[0], "intensity")), "middle");
+    EXPECT_EQ(std::get<long>(value(drawn.features[0], "rank")), 2);
+    EXPECT_EQ(std::get<std::string>(value(drawn.features[1], "intensity")), "grave <1>");
+    EXPECT_EQ(std::get<long>(value(drawn.features[1], "rank")), 3);
+    EXPECT_NE(drawn.style.find("grave &lt;1&gt;"), std::string::npos);
+    EXPECT_EQ(drawn.style.find("grave <1>"), std::string::npos);
 }
 
 // ---- layers

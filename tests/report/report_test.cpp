@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,6 +7,9 @@
 #include <sstream>
 
 #include "example_run.h"
+#include "report/text/place_doubt.h"
+#include "report/text/reach_text.h"
+#include "report/text/run_out_table.h"
 #include "report/text/table.h"
 #include "store/columns.h"
 
@@ -349,6 +353,35 @@ TEST(RunTable, MarksTheFormerDefinitionOfTheFront) {
     EXPECT_EQ(Json::parse(run_json(old)).at("front_definition"), "top");
 }
 
+// ---- tables of studies
+
+// Labels of all scenarios were gathered anew for each row: half a minute of CPU for 10,000 rows, and 50 times
+// that for these, which the time limit of a test (600 s) would end.
+TEST(RunOutTable, TellsFiftyThousandRowsByNumberThenByColumn) {
+    constexpr long count = 100000;
+    std::vector<StudyRow> rows;
+    for (long i = 0; i < count; ++i) {
+        StudyRow row;
+        row.scenario.index = i;
+        row.scenario.inputs = fmt::format(R"({{"run.lattice_seed": "{}"}})", count / 2 - i / 2 - 1);
+        row.run_id = i + 1;
+        row.is_result = true;
+        row.status = "settled";
+        row.source_type = i % 2 == 0 ? "box" : "B";
+        row.run_out_m = static_cast<double>(i);
+        rows.push_back(row);
+    }
+    const RunOutTableOptions layout{.rows = "run.lattice_seed", .columns = "source_type", .distances = {}};
+    const auto lines = lines_of(run_out_table("many", rows, layout, RunOutTableFormat::csv));
+    ASSERT_EQ(lines.size(), count + 1);
+    EXPECT_TRUE(lines[1].starts_with("0,B,1,99999"));
+    EXPECT_TRUE(lines[2].starts_with("0,box,1,99998"));
+    EXPECT_TRUE(lines[3].starts_with("1,B,1,99997"));
+    EXPECT_TRUE(lines[21].starts_with("10,B,")) << "after 9, not after 1";
+    EXPECT_EQ(Json::parse(run_out_table("many", rows, layout, RunOutTableFormat::json)).at("cells").size(),
+              count);
+}
+
 // ---- places
 
 StoredRun run_with_places() {
@@ -394,6 +427,7 @@ TEST(RunSummary, SaysWhatArrivesAtAPlace) {
 // A place 0.04 m beyond the front, with an error of half a metre, was told as not reached and no more.
 TEST(RunSummary, SaysWhenAPlaceIsReachedWithinTheError) {
     StoredRun run = run_with_places();
+    run.crest_chainage_m = 40;
     run.toe_chainage_m = 50;
     run.measures.farthest_front_m = 19.9;
     run.appraisal.run_out_error_m = 0.5;
@@ -403,6 +437,54 @@ TEST(RunSummary, SaysWhenAPlaceIsReachedWithinTheError) {
     run.appraisal.run_out_error_m = 0.05;
     EXPECT_TRUE(has(run_summary(run), "Place road at chainage 70 m: not reached."));
     EXPECT_FALSE(has(run_table({run}, TableFormat::text), "within error"));
+    run.measures.farthest_front_m = 10.02;  // the house is at 10 m
+    EXPECT_TRUE(
+        has(run_summary(run), "reached, but 0.02 m behind the front is within its error of +-0.05 m; after"));
+    EXPECT_TRUE(has(run_table({run}, TableFormat::text), "0.75 m, 3.25 m/s, within error"));
+    EXPECT_EQ(Json::parse(run_json(run)).at("places").at(0).at("within_error"), true);
+    EXPECT_EQ(Json::parse(run_json(run)).at("places").at(1).at("within_error"), false);
+    run.appraisal.run_out_error_m = nan;
+    EXPECT_FALSE(has(run_summary(run), "within its error")) << "an error that nobody knows is no doubt";
+}
+
+// The toe is at 50 m on a section that descends with chainage, and at 70 m on one that ascends.
+TEST(PlaceDoubt, IsSignedUphillOfTheToeAndOnMirroredSections) {
+    StoredRun run = run_with_places();
+    run.measures.farthest_front_m = 5;
+    run.appraisal.run_out_error_m = 0.5;
+    run.crest_chainage_m = 30;
+    run.toe_chainage_m = 50;
+    run.places[0].chainage_m = 45;
+    EXPECT_EQ(place_doubt(run, run.places[0]).beyond_front_m, -10);
+    run.crest_chainage_m = 90;
+    run.toe_chainage_m = 70;
+    EXPECT_EQ(place_doubt(run, run.places[0]).beyond_front_m, 20);
+}
+
+TEST(ReachText, SaysWhenThePlaceIsWithinTheError) {
+    ReachRow row;
+    row.run_id = 1;
+    row.status = "settled";
+    row.is_result = true;
+    row.from_toe_m = 20;
+    row.farthest_front_m = 19.9;
+    row.run_out_error_m = 0.5;
+    const Intensities classes{usual_intensities(), usual_intensities_origin()};
+    EXPECT_TRUE(
+        has(reach_text(row, 70, classes), ": not reached, but 0.1 m beyond the front is within its error"));
+    EXPECT_EQ(Json::parse(reach_json(row, 70, classes)).at("within_error"), true);
+    EXPECT_TRUE(has(reach_text(summary_of({row}), 70), "In 1 of them the place is within the error"));
+    EXPECT_EQ(Json::parse(reach_json(summary_of({row}), 70)).at("results_within_error"), 1);
+    row.farthest_front_m = 20.25;
+    EXPECT_TRUE(
+        has(reach_text(row, 70, classes), ": reached, but 0.25 m behind the front is within its error"));
+    row.farthest_front_m = 30;
+    EXPECT_TRUE(has(reach_text(row, 70, classes), ": reached after 0 s.")) << reach_text(row, 70, classes);
+    EXPECT_EQ(Json::parse(reach_json(row, 70, classes)).at("within_error"), false);
+    row.status = "stable";
+    row.farthest_front_m = nan;
+    row.run_out_m = 19.9;
+    EXPECT_EQ(Json::parse(reach_json(row, 70, classes)).at("within_error"), false) << "a source that stands";
 }
 
 TEST(RunSummary, AStableSourceStands) {

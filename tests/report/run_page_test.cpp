@@ -169,6 +169,27 @@ TEST_F(RunPageTest, TheAnimationHasTheFramesAndNoMoreBytesThanAllowed) {
     EXPECT_EQ(frames[0].at("speed").get<std::string>().substr(0, 4), "AwMD");
 }
 
+TEST_F(RunPageTest, TheAnimationShowsThePlaces) {
+    RunResult result = example_result();
+    PlaceRecord house;
+    house.name = "house \x1b";
+    house.chainage_m = example_scene().profile.toe_chainage_m + 2;
+    house.width_m = 3;
+    PlaceRecord road = house;
+    road.name = "road";
+    road.width_m = 0;
+    result.places = {house, road};
+    const RunData run = stored(example_scene(), result);
+    const Json places = Json::parse(animation_json(run)).at("places");
+    ASSERT_EQ(places.size(), 2u);
+    EXPECT_EQ(places[0].at("name"), "house \\x1b");
+    ASSERT_EQ(places[0].at("posts").size(), 4u);
+    const double near = run.geometry.profile.to_local({house.chainage_m, 0}).x();
+    EXPECT_EQ(places[0].at("posts")[0][0], near);
+    EXPECT_EQ(places[0].at("posts")[3][0], near + 3);
+    EXPECT_EQ(places[1].at("posts").size(), 2u);
+}
+
 TEST_F(RunPageTest, CodesBecomeBase64) {
     RunResult result = example_result();
     result.frames = {{{0, 0, 1, 0, 1, 0, 1, 0, 1}, {0x0201, 0xFFFF}, {0, 0}, {1, 2}, {0, 255}}};
@@ -239,7 +260,15 @@ TEST_F(RunPageTest, ShowsErrorBarsAdviceAndPlacesThatAreStored) {
     EXPECT_EQ(numerical_error_words(run), "run-out ± 0.42 m; from four lattices");
     EXPECT_TRUE(contains(answer_section(run).body, "± 0.42"));
     EXPECT_TRUE(contains(warnings_section(run).body, "rate may matter"));
+    PlaceRecord house;
+    house.name = "house <1>";
+    house.chainage_m = run.run.toe_chainage_m + run.run.measures.farthest_front_m + 0.25;
+    house.arrival_time_s = std::nan("");
+    run.run.places = {house};
+    run.run.appraisal.run_out_error_m = 0.42;
     const PageSection places = places_section(run);
+    EXPECT_TRUE(
+        contains(places.body, "not reached, but 0.25 m beyond the front is within its error of +-0.42 m"));
     EXPECT_TRUE(contains(places.body, "house &lt;1&gt;"));
     ASSERT_EQ(places.charts.size(), 2u);
     EXPECT_EQ(places.charts[0].figure.curves.at(0).points, (Polyline{{1, 0.25}, {2, 0.5}}));

@@ -20,7 +20,8 @@ TEST(Parameters, HaveUniqueKeysInKnownSectionsAndSayWhatTheyAre) {
         EXPECT_FALSE(parameter.fallback.empty()) << parameter.key;
         EXPECT_TRUE(parameter.help.ends_with('.') || parameter.help.ends_with("file.")) << parameter.key;
         const std::string section(parameter.key.substr(0, parameter.key.find('.')));
-        const std::set<std::string> known = {"section", "source", "material", "effects", "place", "run"};
+        const std::set<std::string> known = {"section", "source", "material", "effects",
+                                             "place",   "places", "run"};
         EXPECT_TRUE(known.contains(section)) << section;
     }
 }
@@ -52,6 +53,9 @@ std::string everything(const CaseSpec& c) {
                         r.time_limit, r.front_thickness, r.front_window, r.threads);
     text +=
         fmt::format("|{}|{}|{}|{}", r.sleeping, r.lattice_seed, fmt::join(r.snapshot_times, " "), c.accuracy);
+    const FeatureQuery& q = c.map_places;
+    text += fmt::format("|{}|{}|{}|{}|{}|{}|{}", q.file, q.layer, q.where, q.crs, q.name_field, q.kind_field,
+                        q.max_offset_m);
     const Effects& e = c.effects;
     for (const EffectSetting& setting : effect_settings(e, Profile{}))
         text += fmt::format("|{}.{} {}", setting.effect, setting.key, setting.value);

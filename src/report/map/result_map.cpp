@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "core/input_error.h"
 #include "report/map/map_styles.h"
 #include "report/text/intensity.h"
+#include "report/text/place_doubt.h"
 
 namespace runout {
 namespace {
@@ -130,24 +132,47 @@ MapLayer thickness_layer(const MapRuns& runs) {
     return layer;
 }
 
-MapLayer intensity_layer(const MapRuns& runs) {
-    const std::vector<ColourClass> colours = {{0.5, 1.5, "medium", {253, 141, 60}},
-                                              {1.5, 2.5, "high", {189, 0, 38}}};
+namespace {
+
+/// From orange for the least class to dark red for the greatest.
+std::vector<ColourClass> intensity_colours(const std::vector<IntensityClass>& classes) {
+    std::vector<ColourClass> colours;
+    const auto last = static_cast<double>(classes.size() - 1);
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        const double rank = static_cast<double>(i) + 1;
+        const double share = last > 0 ? static_cast<double>(i) / last : 1;
+        const auto between = [&](int least, int greatest) {
+            return static_cast<int>(std::lround(least + share * (greatest - least)));
+        };
+        colours.push_back(
+            {rank - 0.5, rank + 0.5, classes[i].name, {between(253, 189), between(141, 0), between(60, 38)}});
+    }
+    return colours;
+}
+
+/// 1 for the least class.
+long rank_of(const std::vector<IntensityClass>& classes, const std::string& name) {
+    return std::ranges::find(classes, name, &IntensityClass::name) - classes.begin() + 1;
+}
+
+}  // namespace
+
+MapLayer intensity_layer(const MapRuns& runs, const Intensities& intensities) {
     MapLayer layer{"intensity",
-                   usual_intensities_origin(),
+                   intensities.origin,
                    GeometryKind::line,
                    {},
-                   graduated_line_style("rank", colours, 2.2)};
+                   graduated_line_style("rank", intensity_colours(intensities.classes), 2.2)};
     for (const MapRun& run : runs.runs) {
         if (!has_moved(run) || !run.envelope) continue;
         const double sign = run.place.descends_with_chainage ? 1.0 : -1.0;
         for (const IntensityStretch& stretch :
-             intensity_stretches(*run.envelope, run.run.measures.front_thickness_m, usual_intensities())) {
+             intensity_stretches(*run.envelope, run.run.measures.front_thickness_m, intensities.classes)) {
             const auto [from, to] = std::minmax({run.place.toe_chainage_m + sign * stretch.from_m,
                                                  run.place.toe_chainage_m + sign * stretch.to_m});
             MapFeature feature{part_between(run.place.line, from, to), short_attributes(run)};
             feature.attributes.push_back({"intensity", stretch.name});
-            feature.attributes.push_back({"rank", stretch.name == "high" ? 2L : 1L});
+            feature.attributes.push_back({"rank", rank_of(intensities.classes, stretch.name)});
             feature.attributes.push_back({"from_m", stretch.from_m});
             feature.attributes.push_back({"to_m", stretch.to_m});
             layer.features.push_back(std::move(feature));
@@ -214,6 +239,9 @@ MapLayer place_layer(const MapRuns& runs, const MapMetric& metric) {
             feature.attributes.push_back(
                 {"reached",
                  known ? FieldValue(std::isfinite(place.arrival_time_s) ? 1L : 0L) : FieldValue()});
+            feature.attributes.push_back(
+                {"within_error",
+                 known ? FieldValue(place_doubt(run.run, place).within_error() ? 1L : 0L) : FieldValue()});
             add("arrival_time_s", place.arrival_time_s);
             add("greatest_thickness_m", place.greatest_thickness_m);
             add("greatest_speed_m_s", place.greatest_speed_m_s);
@@ -279,7 +307,7 @@ ResultMap result_map(const Store& store, const MapOptions& options) {
                         section_layer(runs),
                         deposit_layer(runs),
                         thickness_layer(runs),
-                        intensity_layer(runs),
+                        intensity_layer(runs, options.intensities),
                         source_layer(sources),
                         extent_line_layer(runs, metric),
                         extent_layer(runs)};

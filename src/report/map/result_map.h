@@ -5,12 +5,14 @@
 
 #include "gis/map_layers.h"
 #include "report/map/map_runs.h"
+#include "report/text/intensity.h"
 
 namespace runout {
 
 struct MapOptions {
     bool every_run = false;           ///< not only the finest of each question
     double neighbours_within_m = 60;  ///< toes of neighbouring sections are no farther apart than this
+    Intensities intensities{};
 };
 
 /// The map of a database, and what a reader of it must know that is not drawn, a sentence each.
@@ -30,8 +32,8 @@ MapLayer section_layer(const MapRuns& runs);
 MapLayer source_layer(const MapRuns& runs);
 MapLayer deposit_layer(const MapRuns& runs);
 MapLayer thickness_layer(const MapRuns& runs);
-/// Classes of thickness and speed along the lines, by the usual table (report/text/intensity.h).
-MapLayer intensity_layer(const MapRuns& runs);
+/// Classes of thickness and speed along the lines, their rank is 1 for the least.
+MapLayer intensity_layer(const MapRuns& runs, const Intensities& intensities);
 MapLayer extent_layer(const MapRuns& runs);
 MapLayer extent_line_layer(const MapRuns& runs, const MapMetric& metric);
 MapLayer failed_layer(const MapRuns& runs);

@@ -96,6 +96,16 @@ const runAnimation = (() => {
     pen.setLineDash([]);
   }
 
+  function drawPlace(place) {
+    drawOutline(place.posts, [], false);
+    const top = place.posts[1], middle = (place.posts[0][0] + place.posts[place.posts.length - 1][0]) / 2;
+    pen.fillStyle = "#161616";
+    pen.font = `${12 * ratio}px sans-serif`;
+    pen.textAlign = "center";
+    pen.fillText(place.name, atX(middle), atY(top[1]) - 4 * ratio);
+    pen.textAlign = "start";
+  }
+
   // A round length near a fifth of the picture.
   function drawScaleBar() {
     const wanted = (0.2 * stage.width) / pixelsPerMetre, power = 10 ** Math.floor(Math.log10(wanted));
@@ -143,6 +153,7 @@ const runAnimation = (() => {
     drawParticles(time);
     drawOutline(data.source, [5, 4], true);
     if (data.deposit.length > 0) drawOutline(data.deposit, [], false);
+    data.places.forEach(drawPlace);
     drawScaleBar();
     clock.textContent = `${time.toFixed(2)} s of ${end.toFixed(2)} s`;
     slider.value = Math.round((time - start) / step);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/printable.h"
 #include "report/page/section_figure.h"
 
 namespace runout {
@@ -33,6 +34,13 @@ std::string base64(const std::vector<Code>& codes) {
 Json points(const Polyline& line) {
     Json list = Json::array();
     for (const Vec2& point : line) list.push_back({point.x(), point.y()});
+    return list;
+}
+
+Json json_places(const RunData& run, const SectionWindow& view) {
+    Json list = Json::array();
+    for (const PlaceRecord& place : run.run.places)
+        list.push_back({{"name", printable(place.name)}, {"posts", points(place_posts(run, place, view))}});
     return list;
 }
 
@@ -75,6 +83,7 @@ std::string animation_json(const RunData& run, std::size_t most_bytes) {
                        {"bed", points(clipped(run.geometry.bed, view.low.x(), view.high.x()))},
                        {"source", points(run.geometry.outline)},
                        {"deposit", points(deposit_surface(run))},
+                       {"places", json_places(run, view)},
                        {"size", shown_size(run)},
                        {"x", {scale.x_low_m, scale.x_step_m}},
                        {"y", {scale.y_low_m, scale.y_step_m}},

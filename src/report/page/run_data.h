@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "report/text/intensity.h"
 #include "store/store.h"
 
 namespace runout {
@@ -19,6 +20,7 @@ struct RunData {
     std::vector<Frame> frames;
     std::vector<StoredFact> facts;
     std::vector<StoredTable> further;
+    Intensities intensities{};  ///< not stored: what the reader asks for
 };
 
 /// Throws InputError when there is no such run.

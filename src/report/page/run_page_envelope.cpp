@@ -43,10 +43,10 @@ PageChart chart_of(const RunData& run, Figure figure, const std::string& note) {
 std::string intensity_table(const RunData& run) {
     std::vector<HtmlRow> rows;
     for (const IntensityStretch& stretch :
-         intensity_stretches(*run.envelope, run.run.measures.front_thickness_m, usual_intensities()))
+         intensity_stretches(*run.envelope, run.run.measures.front_thickness_m, run.intensities.classes))
         rows.push_back({text_cell(stretch.name), number_cell(stretch.from_m), number_cell(stretch.to_m)});
     if (rows.empty()) return {};
-    return "<h3>Intensity along the section</h3>\n" + paragraph(usual_intensities_origin()) +
+    return "<h3>Intensity along the section</h3>\n" + paragraph(run.intensities.origin) +
            html_table("Intensity", {"class", "from, m past the toe", "to, m past the toe"}, rows);
 }
 

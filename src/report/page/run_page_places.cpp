@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <map>
 
 #include "report/page/html.h"
 #include "report/page/run_page_parts.h"
+#include "report/text/place_doubt.h"
 
 namespace runout {
 namespace {
@@ -27,8 +29,15 @@ std::vector<Curve> curves_of(const StoredTable& places, const StoredTable& serie
     return all;
 }
 
-std::string table_of(const StoredTable& places) {
-    std::vector<std::string> head;
+/// What the front says of it, its error beside it; of a run that is no result, nothing.
+std::string verdict_on(const RunData& run, const std::string& name) {
+    const auto found = std::ranges::find(run.run.places, name, &PlaceRecord::name);
+    if (found == run.run.places.end() || !is_result(run.run.status)) return {};
+    return place_doubt(run.run, *found).sentence();
+}
+
+std::string table_of(const RunData& run, const StoredTable& places) {
+    std::vector<std::string> head = {"front"};
     for (const std::string& column : places.columns) {
         const ColumnWords words = column_words(column);
         head.push_back(words.unit.empty() ? words.words : words.words + ", " + words.unit);
@@ -36,6 +45,7 @@ std::string table_of(const StoredTable& places) {
     std::vector<HtmlRow> rows;
     for (const auto& values : places.rows) {
         HtmlRow& row = rows.emplace_back();
+        row.push_back(text_cell(verdict_on(run, stored_text(cell_of(places, values, "name")))));
         for (const StoredValue& value : values) row.push_back(value_cell(value));
     }
     return html_table("Places", head, rows);
@@ -51,7 +61,7 @@ PageSection places_section(const RunData& run) {
             "The case names no place; thickness and speed are measured only where it asks for them.");
         return section;
     }
-    section.body = table_of(*places);
+    section.body = table_of(run, *places);
     const StoredTable* series = further_table(run, "place_series");
     if (series == nullptr) return section;
     section.charts = {{"place-thickness",

@@ -134,8 +134,9 @@ Curve barrier_curve(const RunData& run) {
             {{foot, ground.elevation(foot)}, {edge, top}, {back, top}, {back, ground.elevation(back)}}};
 }
 
-/// Posts at both edges of a place, joined at their top.
-Curve place_curve(const RunData& run, const PlaceRecord& place, const SectionWindow& view) {
+}  // namespace
+
+Polyline place_posts(const RunData& run, const PlaceRecord& place, const SectionWindow& view) {
     const double near = run.geometry.profile.to_local({place.chainage_m, 0}).x();
     const BedLine ground(run.geometry.profile.ground);
     const double top = ground.elevation(near) + 0.1 * (view.high.y() - view.low.y());
@@ -144,10 +145,8 @@ Curve place_curve(const RunData& run, const PlaceRecord& place, const SectionWin
         const double far = near + place.width_m;
         posts.insert(posts.end(), {{far, top}, {far, ground.elevation(far)}});
     }
-    return {place.name, Curve::Style::line, posts};
+    return posts;
 }
-
-}  // namespace
 
 Figure section_figure(const RunData& run) {
     const SectionWindow view = section_view(run);
@@ -164,7 +163,8 @@ Figure section_figure(const RunData& run) {
     const Polyline surface = deposit_surface(run);
     figure.curves.push_back({"surface of the deposit", Curve::Style::line, surface});
     figure.curves.push_back(barrier_curve(run));
-    for (const PlaceRecord& place : run.run.places) figure.curves.push_back(place_curve(run, place, view));
+    for (const PlaceRecord& place : run.run.places)
+        figure.curves.push_back({place.name, Curve::Style::line, place_posts(run, place, view)});
     std::erase_if(figure.curves, [](const Curve& curve) { return curve.points.empty(); });
     if (greatest_x(surface) < -1e299) figure.title = "Section to scale; no deposit is stored";
     return figure;

@@ -23,6 +23,9 @@ SectionWindow section_view(const RunData& run);
 /// From the exit point up at the discontinuity angle to where it leaves the source.
 Polyline discontinuity_line(const SectionGeometry& geometry);
 
+/// Posts on the ground at both edges of a place, joined at their top; one post where it has no width.
+Polyline place_posts(const RunData& run, const PlaceRecord& place, const SectionWindow& view);
+
 /// Ground, source, slip surface, discontinuity line and final deposit, to scale.
 Figure section_figure(const RunData& run);
 

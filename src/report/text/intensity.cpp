@@ -1,5 +1,7 @@
 #include "report/text/intensity.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -70,6 +72,14 @@ IntensityClass intensity_from(const std::string& text, const std::string& option
     const auto speed = number_in(text.substr(comma + 1));
     if (!thickness || !speed) throw unclear(text, option, "has no two numbers that are not negative");
     return {text.substr(0, equals), *thickness, *speed};
+}
+
+Intensities intensities_from(const std::vector<std::string>& texts, const std::string& option) {
+    if (texts.empty()) return {};
+    Intensities given{{}, fmt::format("Classes as given by {}.", option)};
+    for (const std::string& text : texts) given.classes.push_back(intensity_from(text, option));
+    check_intensities_rise(given.classes, option);
+    return given;
 }
 
 void check_intensities_rise(const std::vector<IntensityClass>& classes, const std::string& option) {

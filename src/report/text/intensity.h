@@ -20,6 +20,12 @@ std::vector<IntensityClass> usual_intensities();
 /// Where that table comes from, a sentence.
 std::string usual_intensities_origin();
 
+/// A table of classes, and where it comes from.
+struct Intensities {
+    std::vector<IntensityClass> classes = usual_intensities();
+    std::string origin = usual_intensities_origin();
+};
+
 /// Name of the greatest class that thickness and speed exceed; empty: none.
 std::string intensity_of(const std::vector<IntensityClass>& classes, double thickness_m, double speed_m_s);
 
@@ -35,6 +41,10 @@ std::vector<IntensityStretch> intensity_stretches(const Envelope& envelope, doub
 
 /// "medium=0,0" -> the class. Throws InputError, naming the option.
 IntensityClass intensity_from(const std::string& text, const std::string& option);
+
+/// The classes that an option gives, the least first; the usual ones where it gives none. Throws InputError
+/// as intensity_from and check_intensities_rise.
+Intensities intensities_from(const std::vector<std::string>& texts, const std::string& option);
 
 /// Throws InputError where a class is not above the one before it in one of the two and not below in the
 /// other.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/printable.h"
+#include "report/text/place_doubt.h"
 #include "report/text/table.h"
 
 namespace runout {
@@ -84,6 +85,7 @@ ReachSummary summary_of(const std::vector<ReachRow>& rows) {
         }
         ++summary.runs;
         if (row.front_definition != current_front_definition) ++summary.former_fronts;
+        if (place_doubt(row).within_error()) ++summary.within_error;
         reached.push_back({row.reached() ? 1.0 : 0.0, 1});
         if (!row.has_envelope) {
             ++summary.without_envelope;
@@ -101,9 +103,11 @@ ReachSummary summary_of(const std::vector<ReachRow>& rows) {
 std::string reach_text(const ReachRow& row, double chainage_m, const Intensities& classes) {
     std::string text = place_of(row, chainage_m);
     if (!row.is_result) return text + fmt::format(": no result, as the run ended as {}.\n", row.status);
-    text += row.reached() ? ": reached" : ": not reached";
+    const PlaceDoubt doubt = place_doubt(row);
+    text += ": " + doubt.sentence();
     if (row.reached() && std::isfinite(row.arrival_time_s))
-        text += fmt::format(" after {:.3g} s{}", row.arrival_time_s, row.arrival_is_bound ? " or later" : "");
+        text += fmt::format("{}after {:.3g} s{}", doubt.within_error() ? "; " : " ", row.arrival_time_s,
+                            row.arrival_is_bound ? " or later" : "");
     const double front = std::isfinite(row.farthest_front_m) ? row.farthest_front_m : row.run_out_m;
     if (!row.reached()) text += fmt::format("; the front comes {:.4g} m past the toe at most", front);
     text += ".\n";
@@ -134,6 +138,9 @@ std::string reach_text(const ReachSummary& summary, double chainage_m) {
         text += quantile_line("Greatest speed", "m/s", summary.speed_m_s);
         text += "In brackets: 95 % of what other samples of as many scenarios would say.\n";
     }
+    if (summary.within_error > 0)
+        text +=
+            fmt::format("In {} of them the place is within the error of the front.\n", summary.within_error);
     if (summary.without_result > 0)
         text += fmt::format("{} runs gave no result and are left out.\n", summary.without_result);
     if (summary.without_envelope > 0)
@@ -153,7 +160,8 @@ std::string reach_json(const ReachRow& row, double chainage_m, const Intensities
                    {"status", row.status},
                    {"front_definition", row.front_definition},
                    {"front_thickness_m", number(row.front_thickness_m)},
-                   {"reached", row.is_result ? Json(row.reached()) : Json(nullptr)}};
+                   {"reached", row.is_result ? Json(row.reached()) : Json(nullptr)},
+                   {"within_error", row.is_result ? Json(place_doubt(row).within_error()) : Json(nullptr)}};
     for (const EnvelopeColumn& column : envelope_columns())
         object[column.name] = row.is_result ? number(row.*column.value) : Json(nullptr);
     object["arrival_is_bound"] = row.arrival_is_bound;
@@ -169,6 +177,7 @@ std::string reach_json(const ReachSummary& summary, double chainage_m) {
                     {"without_result", summary.without_result},
                     {"without_envelope", summary.without_envelope},
                     {"former_fronts", summary.former_fronts},
+                    {"results_within_error", summary.within_error},
                     {"probability_of_reaching", summary.runs > 0 ? number(summary.reached.value) : nullptr},
                     {"standard_error", summary.runs > 0 ? number(summary.reached.standard_error) : nullptr},
                     {"greatest_thickness_m", quantile_json(summary.thickness_m)},

@@ -12,15 +12,10 @@ namespace runout {
 /// What many runs say of a place together. Runs that are no result are left out.
 struct ReachSummary {
     long runs = 0, without_result = 0, without_envelope = 0, former_fronts = 0;
+    long within_error = 0;  ///< results whose front could as well be on the other side of the place
     Probability reached;
     /// With 50, 16 and 2 % at least so much; NaN where there are too few runs.
     std::vector<ReachDistance> thickness_m, speed_m_s;
-};
-
-/// A table of classes, and where it comes from.
-struct Intensities {
-    std::vector<IntensityClass> classes;
-    std::string origin;
 };
 
 ReachSummary summary_of(const std::vector<ReachRow>& rows);

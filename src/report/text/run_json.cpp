@@ -52,7 +52,8 @@ Json places_json(const StoredRun& run) {
             {"name", place.name},
             {"kind", place.kind},
             {"reached", is_result(run.status) ? Json(!std::isnan(place.arrival_time_s)) : Json(nullptr)},
-            {"within_error", is_result(run.status) ? Json(within_error(run, place)) : Json(nullptr)}};
+            {"within_error",
+             is_result(run.status) ? Json(place_doubt(run, place).within_error()) : Json(nullptr)}};
         append_numbers(object, place, place_columns());
         places.push_back(std::move(object));
     }

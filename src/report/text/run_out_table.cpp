@@ -202,26 +202,21 @@ Json json_number(double value) {
 
 Json cells_json(const std::vector<StudyEntry>& entries, const StudyLayout& layout) {
     Json list = Json::array();
-    const StudyCells cells = cells_of(entries, layout);
-    for (const std::string& row : labels_of(entries, layout.rows))
-        for (const std::string& column : labels_of(entries, layout.columns)) {
-            const auto found = cells.find({row, column});
-            if (found == cells.end()) continue;
-            const StudyCell& cell = found->second;
-            const bool one = cell.runs.size() == 1;
-            const StudyRow& run = *cell.runs.front();
-            list.push_back(
-                {{"row", row},
-                 {"column", column},
-                 {"scenarios", cell.runs.size()},
-                 {"run_out_m", one ? json_number(run.run_out_m) : Json(nullptr)},
-                 {"run_out_error_m", one ? json_number(run.run_out_error_m) : Json(nullptr)},
-                 {"reach_angle_deg", one ? json_number(run.reach_angle_deg) : Json(nullptr)},
-                 {"reach_angle_error_deg", one ? json_number(run.reach_angle_error_deg) : Json(nullptr)},
-                 {"run_out_50_percent_m", json_number(cell.reached(percentiles[0]))},
-                 {"run_out_16_percent_m", json_number(cell.reached(percentiles[1]))},
-                 {"run_out_2_percent_m", json_number(cell.reached(percentiles[2]))}});
-        }
+    for (const auto& [labels, cell] : cells_of(entries, layout)) {
+        const bool one = cell.runs.size() == 1;
+        const StudyRow& run = *cell.runs.front();
+        list.push_back(
+            {{"row", labels.first},
+             {"column", labels.second},
+             {"scenarios", cell.runs.size()},
+             {"run_out_m", one ? json_number(run.run_out_m) : Json(nullptr)},
+             {"run_out_error_m", one ? json_number(run.run_out_error_m) : Json(nullptr)},
+             {"reach_angle_deg", one ? json_number(run.reach_angle_deg) : Json(nullptr)},
+             {"reach_angle_error_deg", one ? json_number(run.reach_angle_error_deg) : Json(nullptr)},
+             {"run_out_50_percent_m", json_number(cell.reached(percentiles[0]))},
+             {"run_out_16_percent_m", json_number(cell.reached(percentiles[1]))},
+             {"run_out_2_percent_m", json_number(cell.reached(percentiles[2]))}});
+    }
     return list;
 }
 

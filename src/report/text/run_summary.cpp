@@ -107,18 +107,15 @@ std::string place_line(const StoredRun& run, const PlaceRecord& place) {
         fmt::format("Place {}{} at chainage {:.5g} m", printable(place.name),
                     place.kind.empty() ? "" : fmt::format(" ({})", printable(place.kind)), place.chainage_m);
     if (place.width_m > 0) text += fmt::format(", {:.3g} m wide", place.width_m);
-    if (within_error(run, place))
-        return text + fmt::format(
-                          ": not reached, but {:.2g} m beyond the front is within its error of +-{:.2g} m.\n",
-                          beyond_front(run, place), run.appraisal.run_out_error_m);
-    if (std::isnan(place.arrival_time_s)) return text + ": not reached.\n";
-    return text +
-           fmt::format(
-               ": reached after {:.3g} s, up to {:.3g} m thick, {:.3g} m/s, kinetic head {:.3g} m, momentum "
-               "flux {:.3g} kN/m; {:.4g} m2 pass, {:.3g} m lie at the end.\n",
-               place.arrival_time_s, place.greatest_thickness_m, place.greatest_speed_m_s,
-               place.greatest_kinetic_head_m, 1e-3 * place.greatest_momentum_flux_n_m, place.passed_area_m2,
-               place.final_thickness_m);
+    const PlaceDoubt doubt = place_doubt(run, place);
+    text += ": " + doubt.sentence();
+    if (!doubt.reached) return text + ".\n";
+    return text + fmt::format(
+                      "{}after {:.3g} s, up to {:.3g} m thick, {:.3g} m/s, kinetic head {:.3g} m, momentum "
+                      "flux {:.3g} kN/m; {:.4g} m2 pass, {:.3g} m lie at the end.\n",
+                      doubt.within_error() ? "; " : " ", place.arrival_time_s, place.greatest_thickness_m,
+                      place.greatest_speed_m_s, place.greatest_kinetic_head_m,
+                      1e-3 * place.greatest_momentum_flux_n_m, place.passed_area_m2, place.final_thickness_m);
 }
 
 std::string barrier_lines(const BarrierRecord& barrier) {

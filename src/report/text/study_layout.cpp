@@ -98,6 +98,12 @@ bool LabelOrder::operator()(const std::string& a, const std::string& b) const {
     return a < b;
 }
 
+bool CellOrder::operator()(const std::pair<std::string, std::string>& a,
+                           const std::pair<std::string, std::string>& b) const {
+    if (a.first == b.first) return LabelOrder()(a.second, b.second);
+    return LabelOrder()(a.first, b.first);
+}
+
 Json inputs_of(const StudyRow& row) {
     Json inputs = Json::parse(printable_json(row.scenario.inputs), nullptr, false);
     if (!inputs.is_object())

@@ -48,7 +48,13 @@ struct StudyCell {
     /// Distance that a run of the cell reaches or passes with this probability, m.
     [[nodiscard]] double reached(double probability) const;
 };
-using StudyCells = std::map<std::pair<std::string, std::string>, StudyCell>;
+
+/// By row, then by column, as the table shows them.
+struct CellOrder {
+    bool operator()(const std::pair<std::string, std::string>& a,
+                    const std::pair<std::string, std::string>& b) const;
+};
+using StudyCells = std::map<std::pair<std::string, std::string>, StudyCell, CellOrder>;
 
 StudyCells cells_of(const std::vector<StudyEntry>& entries, const StudyLayout& layout);
 

@@ -121,9 +121,10 @@ std::string run_out_cell(const StoredRun& run) {
 std::string place_cell(const StoredRun& run, const std::string& name) {
     const PlaceRecord* place = place_named(run, name);
     if (place == nullptr) return {};
-    if (within_error(run, *place)) return "not reached, within error";
-    if (!std::isfinite(place->arrival_time_s)) return "not reached";
-    return fmt::format("{:.3g} m, {:.3g} m/s", place->greatest_thickness_m, place->greatest_speed_m_s);
+    const PlaceDoubt doubt = place_doubt(run, *place);
+    if (!doubt.reached) return doubt.words();
+    return fmt::format("{:.3g} m, {:.3g} m/s{}", place->greatest_thickness_m, place->greatest_speed_m_s,
+                       doubt.within_error() ? ", within error" : "");
 }
 
 std::vector<TextColumn> text_columns(const std::vector<StoredRun>& runs) {

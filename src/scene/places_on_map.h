@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "scene/case_spec.h"
+#include "scene/scene.h"
+
+namespace runout {
+
+/// The features of [places] near the section line, as places by their distance from the toe; equal names,
+/// also those of `named`, get the feature id. None without [places]. What lies wholly beyond an end of the
+/// section or uphill of the source is left out; that, and that nothing is near, is told in the doubts of the
+/// profile. Throws InputError: a section on no map, and as features_near.
+std::vector<Place> places_on_map(const CaseSpec& spec, Site& site, std::span<const Place> named);
+
+}  // namespace runout
