@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 #include <vector>
 
 namespace runout {
@@ -43,14 +43,18 @@ std::string line(const std::string& target, const Coverage& coverage) {
 }  // namespace
 
 std::string coverage_table(std::span<const AccuracyStudy> studies) {
-    std::map<std::string, Coverage> by_target;
+    std::vector<std::pair<std::string, Coverage>> by_target;  // in the order in which they were asked
+    const auto of_target = [&](const std::string& target) -> Coverage& {
+        const auto known = std::ranges::find(by_target, target, &std::pair<std::string, Coverage>::first);
+        return known != by_target.end() ? known->second : by_target.emplace_back(target, Coverage{}).second;
+    };
     for (const AccuracyStudy& study : studies) {
         const RungSummary& finest = study.ladder.rungs.back();
         if (finest.results < 2 || finest.failed > 0 || !(finest.values[0].mean > 0)) continue;
         const double scale = reference_of(study.ladder).scale_m;
         for (const ChoiceCheck& check : study.choices)
             if (check.run.appraisal.error_origin == "pilot" && is_result(check.run.status))
-                add(by_target[check.target], check, scale);
+                add(of_target(check.target), check, scale);
     }
     std::string text = "target   runs    inside  bar (med)  error (med)   signed    CPU (med)\n";
     for (const auto& [target, coverage] : by_target) text += line(target, coverage);
