@@ -186,20 +186,17 @@ Effects place_effects(const CaseSpec& spec, const Site& site) {
 namespace {
 
 /// Of the near and the far edge.
-void check_on_ground(const CaseSpec& spec, const Site& site, const Place& place, bool from_map) {
+void check_on_ground(const CaseSpec& spec, const Site& site, const Place& place) {
     constexpr double rounding = 1e-9;
     const double source_end = end_of(site.source);
     const double end_chainage = site.profile.to_section({source_end, 0}).x();
     if (place.x < source_end - rounding)
-        throw InputError(
-            spec.place(from_map ? "places.file" : "place.chainage_m"),
-            fmt::format("puts {} into the source or uphill of it", place.name),
-            fmt::format("the source ends at chainage {:.6g} m{}", end_chainage,
-                        from_map ? "; leave it out by places.where or places.max_offset_m" : ""));
+        throw InputError(spec.place("place.chainage_m"),
+                         fmt::format("puts {} into the source or uphill of it", place.name),
+                         fmt::format("the source ends at chainage {:.6g} m", end_chainage));
     const double last = site.profile.ground.back().x();
     if (place.x + place.width > last)
-        throw InputError(spec.place(from_map ? "places.file" : "place.width_m"),
-                         fmt::format("ends {} beyond the section", place.name),
+        throw InputError(spec.place("place.width_m"), fmt::format("ends {} beyond the section", place.name),
                          fmt::format("valid: up to {:.6g} m", last - place.x));
 }
 
@@ -215,7 +212,7 @@ std::vector<Place> located_places(const CaseSpec& spec, Site& site) {
                              "give its chainage in metres");
         places[i].x = place_x(spec, profile, "place.chainage_m", places[i].x);
         if (places[i].name.empty()) places[i].name = fmt::format("place-{}", i + 1);
-        check_on_ground(spec, site, places[i], false);
+        check_on_ground(spec, site, places[i]);
         const auto end = places.begin() + static_cast<std::ptrdiff_t>(i);
         const auto same = std::ranges::find(places.begin(), end, places[i].name, &Place::name);
         if (same != end)
@@ -224,10 +221,8 @@ std::vector<Place> located_places(const CaseSpec& spec, Site& site) {
                                          i + 1, places[i].name),
                              "give each a name of its own");
     }
-    for (Place& place : places_on_map(spec, site, places)) {
-        check_on_ground(spec, site, place, true);
+    for (Place& place : places_on_map(spec, site, end_of(site.source), places))
         places.push_back(std::move(place));
-    }
     return places;
 }
 

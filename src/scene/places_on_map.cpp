@@ -25,21 +25,33 @@ Place place_of(const NearFeature& feature, const Profile& profile) {
     return {name_of(feature), std::min(a, b), std::abs(b - a), feature.kind};
 }
 
-/// What a run on this section says nothing of.
-bool is_out_of_reach(const Place& place, const Site& site) {
-    double uphill_end = site.source.outline.front().x();
-    for (const Vec2& corner : site.source.outline) uphill_end = std::min(uphill_end, corner.x());
-    return place.x + place.width < uphill_end || place.x >= site.profile.ground.back().x();
+/// What a run on this section may say something of: from the end of the source on, to that of the section.
+struct Reach {
+    double from, to;
+};
+
+bool is_out_of_reach(const Place& place, const Reach& reach) {
+    return place.x + place.width < reach.from || place.x >= reach.to;
 }
 
-void tell_left_out(const std::vector<std::string>& names, Profile& profile) {
-    if (names.empty()) return;
+/// The part within reach; whether that is not all.
+bool cut(Place& place, const Reach& reach) {
+    const double from = std::max(place.x, reach.from), to = std::min(place.x + place.width, reach.to);
+    const bool is_less = from > place.x || to < place.x + place.width;
+    place.x = from;
+    place.width = std::max(0.0, to - from);
+    return is_less;
+}
+
+std::string list_of(const std::vector<std::string>& names) {
     const std::size_t told = std::min(most_names, names.size());
     std::string list = fmt::format("{}", fmt::join(names.begin(), names.begin() + told, ", "));
     if (told < names.size()) list += fmt::format(" and {} more", names.size() - told);
-    profile.doubts.push_back(fmt::format(
-        "Places of the map that lie beyond the end of the section or uphill of the source are left out: {}.",
-        list));
+    return list;
+}
+
+void tell(const char* what, const std::vector<std::string>& names, Profile& profile) {
+    if (!names.empty()) profile.doubts.push_back(fmt::format("{}: {}.", what, list_of(names)));
 }
 
 /// Names of a map may come twice; in tables they are columns.
@@ -54,7 +66,8 @@ void tell_apart(std::vector<Place>& places, const std::vector<long>& ids, std::s
 
 }  // namespace
 
-std::vector<Place> places_on_map(const CaseSpec& spec, Site& site, std::span<const Place> named) {
+std::vector<Place> places_on_map(const CaseSpec& spec, Site& site, double source_end,
+                                 std::span<const Place> named) {
     const FeatureQuery& query = spec.map_places;
     if (query.file.empty()) return {};
     if (!site.profile.map_line)
@@ -65,13 +78,16 @@ std::vector<Place> places_on_map(const CaseSpec& spec, Site& site, std::span<con
         site.profile.doubts.push_back(fmt::format("No feature of {} is within {:g} m of the section line.",
                                                   query.file, query.max_offset_m));
     std::vector<std::pair<Place, long>> found;
-    std::vector<std::string> left_out;
+    std::vector<std::string> left_out, shortened;
+    const Reach reach{source_end, site.profile.ground.back().x()};
     for (const NearFeature& feature : near) {
         Place place = place_of(feature, site.profile);
-        if (is_out_of_reach(place, site))
+        if (is_out_of_reach(place, reach)) {
             left_out.push_back(place.name);
-        else
-            found.emplace_back(std::move(place), feature.feature_id);
+            continue;
+        }
+        if (cut(place, reach)) shortened.push_back(place.name);
+        found.emplace_back(std::move(place), feature.feature_id);
     }
     if (found.size() > most_places)
         throw InputError(
@@ -84,7 +100,12 @@ std::vector<Place> places_on_map(const CaseSpec& spec, Site& site, std::span<con
         places.push_back(std::move(place));
         ids.push_back(id);
     }
-    tell_left_out(left_out, site.profile);
+    tell(
+        "Places of the map that lie beyond the end of the section, in the source or uphill of it are left "
+        "out",
+        left_out, site.profile);
+    tell("Places of the map are counted from the end of the source or to the end of the section only",
+         shortened, site.profile);
     tell_apart(places, ids, named);
     return places;
 }

@@ -223,6 +223,21 @@ TEST_F(MapPlaces, ThatTheRunSaysNothingOfAreLeftOutAndTold) {
     EXPECT_TRUE(has_part(none.profile.doubts[0], "is within 50 m of the section line."));
 }
 
+/// A town beside a cut must not stop its run.
+TEST_F(MapPlaces, ThatReachIntoTheSourceOrOverTheEndAreCutAndTold) {
+    layer("things.gpkg",
+          {{"POLYGON ((834005 816000, 834060 816000, 834060 816010, 834005 816000))", "mansion"},
+           {"POLYGON ((834120 816000, 834130 816000, 834130 816010, 834120 816000))", "mill"}});
+    const Scene made = scene(things);
+    ASSERT_EQ(made.places.size(), 2U);
+    const double source_end =
+        std::ranges::max(made.source.outline, {}, [](const Vec2& p) { return p.x(); }).x();
+    EXPECT_NEAR(made.places[0].x, source_end, 1e-6);
+    EXPECT_NEAR(made.places[1].x + made.places[1].width, made.profile.ground.back().x(), 1e-6);
+    ASSERT_EQ(made.profile.doubts.size(), 1U);
+    EXPECT_TRUE(has_part(made.profile.doubts[0], "to the end of the section only: mansion, mill."));
+}
+
 TEST_F(MapPlaces, ThatCannotBeAreWrongInput) {
     const std::string file = things;
     EXPECT_TRUE(has_part(refusal(file), "there is no such file"));
@@ -238,12 +253,6 @@ TEST_F(MapPlaces, ThatCannotBeAreWrongInput) {
     EXPECT_TRUE(has_part(refusal(file + "where = \"title = 3\"\n"), "is not a condition"));
     EXPECT_TRUE(has_part(refusal(file + "max_offset_m = 0\n"), "places.max_offset_m"));
     EXPECT_TRUE(has_part(refusal("[places]\nlayer = \"things\"\n"), "needs places.file"));
-    layer("source.gpkg",
-          {{"POLYGON ((834005 816000, 834030 816000, 834030 816010, 834005 816000))", "mansion"}});
-    EXPECT_TRUE(has_part(refusal("[places]\nfile = \"source.gpkg\"\n"), "puts mansion into the source"));
-    EXPECT_TRUE(has_part(refusal("[places]\nfile = \"source.gpkg\"\n"), "leave it out by places.where"));
-    layer("end.gpkg", {{"POLYGON ((834120 816000, 834130 816000, 834130 816010, 834120 816000))", "mill"}});
-    EXPECT_TRUE(has_part(refusal("[places]\nfile = \"end.gpkg\"\n"), "ends mill beyond the section"));
     layer("lost.shp", {{"POINT (834060 816010)", "tap"}}, "", "ESRI Shapefile");
     EXPECT_TRUE(has_part(refusal("[places]\nfile = \"lost.shp\"\n"), "names no coordinate system"));
     EXPECT_EQ(scene("[places]\nfile = \"lost.shp\"\ncrs = \"EPSG:2326\"\n").places.size(), 1U);
