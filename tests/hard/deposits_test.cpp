@@ -84,8 +84,8 @@ INSTANTIATE_TEST_SUITE_P(FullSmall, RandomDepositsTest,
                                          RandomDeposits{3, 1000, 1000, 0, {45}}),
                          testing::PrintToStringParamName());
 
-// About 1,000 particles. Films creep (7), a heap sinks a little more than it should (10), and grains come off the
-// edge of a ledge (16).
+// About 1,000 particles. Films creep (7), a heap sinks a little more than it should (10), and grains come off
+// the edge of a ledge (16).
 INSTANTIATE_TEST_SUITE_P(FullAtSize, RandomDepositsTest,
                          testing::Values(RandomDeposits{991, 150, 15, 32, {7, 10, 16}}),
                          testing::PrintToStringParamName());
